@@ -54,7 +54,7 @@ std::optional<RobotAddress> addressFrom(const std::string& text) {
     return address;
 }
 
-/// The experiment with that robot alone, and with the logs that need nothing else.
+/// The experiment with that robot alone, and with the logs that need nothing else; `left` has the names of the others.
 std::shared_ptr<const ExperimentSpec> experimentOf(const LoadedProject& loaded, const RobotSpec& robot, std::string& left) {
     auto alone = std::make_shared<ExperimentSpec>(*loaded.experiment);
     alone->robots = {robot};
@@ -70,7 +70,7 @@ std::shared_ptr<const ExperimentSpec> experimentOf(const LoadedProject& loaded, 
         one.logs = {log};
         Diagnostics problems;
         checkLogs(one, *loaded.registry, true, problems);
-        if (problems.hasErrors()) left += (left.empty() ? "" : ", ") + log.name;
+        if (problems.hasErrors() || needsSimulation(log)) left += (left.empty() ? "" : ", ") + log.name;
         else alone->logs.push_back(log);
     }
     return alone;
@@ -263,7 +263,8 @@ ExitCode DriveCommand::go() {
     std::string left;
     m_loaded.experiment = experimentOf(m_loaded, RobotSpec(*robot), left);
     if (!left.empty() && !m_arguments.quiet)
-        writeMessage("trundle-cli: note: logs of other things are not written: " + cleanLine(left) + "\n");
+        writeMessage("trundle-cli: note: logs of other things, or of what only a simulation has, are not written: " +
+                     cleanLine(left) + "\n");
     return drive();
 }
 

@@ -19,14 +19,15 @@ DriveStatistics::DriveStatistics(const World& world) {
             const auto find = [&](const char* signal) {
                 return world.layout().find(robots[i].name + "/" + device.name + "/" + signal);
             };
-            const SignalEntry* pose = find("pose");
+            const auto pose = find("pose");
             if (!pose || pose->count != 3) continue;
-            const SignalEntry* commands[] = {find("linearVelocity"), find("angularVelocity"), find("linearAmount"),
-                                             find("angularAmount")};
-            const SignalEntry* sequence = find("sequence");
-            const SignalEntry* done = find("done");
+            const std::array commands{find("linearVelocity"), find("angularVelocity"), find("linearAmount"),
+                                      find("angularAmount")};
+            const auto sequence = find("sequence");
+            const auto done = find("done");
             if (find("lateralVelocity")) continue; // its way is not that of its heading
-            if (!sequence || !done || std::ranges::count(commands, nullptr) > 0) continue;
+            if (!sequence || !done || !std::ranges::all_of(commands, [](const auto& command) { return command.has_value(); }))
+                continue;
             const std::uint32_t p = pose->offset;
             Drive drive;
             drive.totals.robot = i;

@@ -8,6 +8,7 @@
 
 #include "app/render_library.h"
 #include "base/clean_text.h"
+#include "base/platform/memory.h"
 #include "check/model_check.h"
 #include "cli/console.h"
 #include "cli/diagnostic_json.h"
@@ -27,6 +28,7 @@
 namespace trundle {
 namespace {
 
+constexpr std::size_t kBytesPerRobot = 40'000; // of memory, about
 constexpr double kLongestDurationS = 1e9;
 constexpr std::uint64_t kLargestSeed = 1ull << 53; // largest seed that a number in the text represents exactly
 
@@ -117,6 +119,7 @@ bool RunCommand::load() {
         return false;
     }
     m_loaded = std::move(opened).value();
+    if (m_loaded->experiment) useLargePages(m_loaded->experiment->robots.size() * kBytesPerRobot);
     m_report.sources = m_loaded->sources;
     m_report.diagnostics = m_loaded->diagnostics.all();
     for (Diagnostic& diagnostic : m_report.diagnostics) // a warning to other commands

@@ -109,6 +109,8 @@ std::string runJson(const RunReport& report) {
     json["real_time_factor"] = report.wallS > 0 ? simulated / report.wallS : 0;
     json["peak_memory_kb"] = peakMemoryKb();
     json["engine"] = world ? Json(nameOf(world->experiment().settings.engine)) : Json(nullptr);
+    if (world && !world->experiment().settings.whyGeneral.empty())
+        json["engine_reason"] = world->experiment().settings.whyGeneral;
     json["threads"] = world ? Json(threadsFor(world->experiment())) : Json(nullptr);
     json["state_hash"] = world ? Json(hashText(world->stateHash())) : Json(nullptr);
     json["quick_ticks"] = world ? world->quickTicks() : 0;

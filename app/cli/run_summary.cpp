@@ -126,8 +126,11 @@ std::string solverRows(const World& world) {
     const EngineChoice engine = world.experiment().settings.engine;
     const unsigned count = threadsFor(world.experiment());
     const std::string threads = count > 1 ? std::to_string(count) + " threads" : "";
-    if (engine != EngineChoice::General) text += row("engine", nameOf(engine) + (threads.empty() ? "" : ", " + threads));
-    else if (!threads.empty()) text += row("engine", threads);
+    const std::string& reason = world.experiment().settings.whyGeneral;
+    if (engine != EngineChoice::General || !reason.empty()) {
+        text += row("engine", nameOf(engine) + (threads.empty() ? "" : ", " + threads));
+        if (!reason.empty()) text += row("", "not wheeled: " + cleanLine(reason));
+    } else if (!threads.empty()) text += row("engine", threads);
     const bool asked = world.experiment().settings.solver == SolverChoice::Quick;
     if (world.quickTicks() > 0)
         text += row("solver", counted(world.quickTicks(), "tick") + " solved by the quick solver (" +

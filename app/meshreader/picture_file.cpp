@@ -8,6 +8,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <climits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "assets/mesh_stream.h"
 #include "base/platform/quiet_errors.h"
 #include "base/platform/read_file.h"
+#include "meshreader/deep_pgm.h"
 
 namespace trundle {
 namespace {
@@ -142,6 +144,15 @@ Raster coloursOf(const QImage& picture) {
     return raster;
 }
 
+Result<HeightMap> heightsOf(const DeepPgm& picture) {
+    constexpr auto largest = static_cast<std::uint32_t>(INT_MAX);
+    const QSize size(static_cast<int>(std::min(picture.columns, largest)), static_cast<int>(std::min(picture.rows, largest)));
+    if (const Status possible = checkSize(size, kFewestHeights); !possible) return possible.error();
+    auto heights = picture.heights();
+    if (!heights) return failure("the picture is damaged: its file ends too early, or a point is brighter than its white");
+    return HeightMap{picture.columns, picture.rows, std::move(*heights)};
+}
+
 Result<QImage> decoded(const std::string& content, std::uint64_t fewest) {
     int count = 1; // Qt needs an application object to find its image plugins
     char name[] = "trundle-meshreader";
@@ -197,6 +208,7 @@ Result<Raster> readColours(const std::string& content) {
 Result<HeightMap> readPictureFile(const std::string& path) {
     const Result<std::string> content = readRegularFile(path, kMaxFileBytes);
     if (!content) return content.error();
+    if (const auto deep = deepPgmIn(content.value())) return heightsOf(*deep);
     const Result<QImage> picture = decoded(content.value(), kFewestHeights);
     if (!picture) return picture.error();
     const QImage grey = picture.value().convertToFormat(QImage::Format_Grayscale16);

@@ -92,12 +92,12 @@ bool TrialWorld::run(double seconds, const std::stop_token& stop) {
 }
 
 void TrialWorld::command(const std::string& device, const char* signal, double value) {
-    const SignalEntry* entry = m_world->layout().find("robot/" + device + "/" + signal);
+    const auto entry = m_world->layout().find("robot/" + device + "/" + signal);
     if (entry && entry->direction == SignalDirection::Command) m_world->block().slots()[entry->offset] = value;
 }
 
 double TrialWorld::value(const std::string& path, std::size_t index) const {
-    const SignalEntry* entry = m_world->layout().find("robot/" + path);
+    const auto entry = m_world->layout().find("robot/" + path);
     return entry && index < entry->count ? m_world->block().slots()[entry->offset + index] : 0;
 }
 

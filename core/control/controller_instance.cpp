@@ -145,9 +145,9 @@ double* ControllerInstance::bind(void* context, const char* kind, const char* de
     const std::string ofKind = moduleName(kind), named = moduleName(device), asked = moduleName(signal);
     const auto entry = me.names().bind(ofKind, named, asked);
     if (entry && asked == "frame" && me.isAlwaysNew(ofKind, named)) return &me.m_noNumber;
-    const bool isCommand = entry && entry.value()->direction == SignalDirection::Command;
-    const Status claimed = isCommand && me.m_outputs.claim ? me.m_outputs.claim(entry.value()->path) : Status();
-    if (entry && claimed) return me.slot(*entry.value(), isCommand);
+    const bool isCommand = entry && entry.value().direction == SignalDirection::Command;
+    const Status claimed = isCommand && me.m_outputs.claim ? me.m_outputs.claim(entry.value().path) : Status();
+    if (entry && claimed) return me.slot(entry.value(), isCommand);
     if (!me.m_failure) me.m_failure = entry ? claimed.error() : entry.error();
     return nullptr;
 }
@@ -167,8 +167,8 @@ bool ControllerInstance::isAlwaysNew(const std::string& kind, const std::string&
 double* ControllerInstance::publish(void* context, const char* signal, std::uint32_t* count) {
     auto& me = self(context);
     const auto entry = me.names().published(moduleName(signal));
-    if (entry && count) *count = entry.value()->count;
-    if (entry) return me.slot(*entry.value(), true);
+    if (entry && count) *count = entry.value().count;
+    if (entry) return me.slot(entry.value(), true);
     // A controller that came during the run publishes what this run has no signals for.
     for (const SignalDescription& described : me.spec() ? me.spec()->published : std::vector<SignalDescription>())
         if (described.name == moduleName(signal) && described.direction == TRUNDLE_OUTPUT) {
@@ -188,7 +188,7 @@ void ControllerInstance::finish(void* context, const char* reason) {
 std::int32_t ControllerInstance::signalInfo(void* context, const char* device, const char* signal, std::uint32_t* count,
                                std::uint32_t* direction) {
     auto& me = self(context);
-    const SignalEntry* entry = me.names().look(moduleName(device), moduleName(signal));
+    const auto entry = me.names().look(moduleName(device), moduleName(signal));
     if (!entry) return 1;
     if (count) *count = entry->count;
     if (direction) *direction = static_cast<std::uint32_t>(entry->direction);

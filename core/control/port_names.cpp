@@ -47,20 +47,20 @@ std::string PortNames::devices(const std::string& kind) const {
 
 std::string PortNames::signalsBelow(const std::string& prefix, bool truth) const {
     std::vector<std::string> names;
-    for (const SignalEntry& entry : m_layout.entries())
+    for (const SignalEntry& entry : m_layout.entriesOf(m_robot.name))
         if (entry.path.starts_with(prefix) && (entry.direction == SignalDirection::Truth) == truth)
             names.push_back(entry.path.substr(prefix.size()));
     return listed(names);
 }
 
-Result<const SignalEntry*> PortNames::truth(const std::string& name, const std::string& signal) const {
+Result<SignalEntry> PortNames::truth(const std::string& name, const std::string& signal) const {
     if (name != kTruthName) return unknown(m_robot, "has no port '" + name + "'; ground truth is the port groundTruth");
-    const SignalEntry* entry = m_layout.find(m_robot.name + "/" + signal);
-    if (entry && entry->direction == SignalDirection::Truth) return entry;
+    const auto entry = m_layout.find(m_robot.name + "/" + signal);
+    if (entry && entry->direction == SignalDirection::Truth) return *entry;
     return unknown(m_robot, "has no ground truth '" + signal + "'; there is: " + signalsBelow(m_robot.name + "/", true));
 }
 
-Result<const SignalEntry*> PortNames::bind(const std::string& kind, const std::string& device, const std::string& signal) const {
+Result<SignalEntry> PortNames::bind(const std::string& kind, const std::string& device, const std::string& signal) const {
     if (kind == kTruthKind) return truth(device, signal);
     const ComponentSpec* spec = findDevice(m_robot, device);
     if (!spec) {
@@ -74,34 +74,34 @@ Result<const SignalEntry*> PortNames::bind(const std::string& kind, const std::s
         return unknown(m_robot,
                        "has no " + kind + " port '" + device + "': that is of kind " + spec->kind + " (" + devices(kind) + ")");
     const std::string prefix = m_robot.name + "/" + device + "/";
-    const SignalEntry* entry = m_layout.find(prefix + signal);
+    const auto entry = m_layout.find(prefix + signal);
     if (!entry)
         return unknown(m_robot, "has no signal '" + device + "/" + signal + "'; the signals of " + device + ": " +
                                     signalsBelow(prefix, false));
     if (entry->direction == SignalDirection::Truth)
         return unknown(m_robot, "gives '" + device + "/" + signal +
                                     "' through the port groundTruth alone: a real robot cannot measure it");
-    return entry;
+    return *entry;
 }
 
-Result<const SignalEntry*> PortNames::published(const std::string& signal) const {
+Result<SignalEntry> PortNames::published(const std::string& signal) const {
     if (!m_controller) return unknown(m_robot, "has no controller in its text that could publish '" + signal + "'");
     const std::string prefix = m_robot.name + "/" + m_controller->name + "/";
-    const SignalEntry* entry = m_layout.find(prefix + signal);
-    if (entry) return entry;
+    const auto entry = m_layout.find(prefix + signal);
+    if (entry) return *entry;
     std::vector<std::string> names;
     for (const SignalDescription& s : m_controller->published) names.push_back(s.name);
     return unknown(m_robot, "cannot publish '" + signal + "'" + meant(signal, names) + " (describe() of " +
                                 m_controller->kind + " names as outputs: " + signalsBelow(prefix, false) + ")");
 }
 
-const SignalEntry* PortNames::look(const std::string& device, const std::string& signal) const {
-    if (!device.empty() && !findDevice(m_robot, device)) return nullptr;
+std::optional<SignalEntry> PortNames::look(const std::string& device, const std::string& signal) const {
+    if (!device.empty() && !findDevice(m_robot, device)) return std::nullopt;
     const std::string path = m_robot.name + "/" + (device.empty() ? "" : device + "/") + signal;
     if (!signal.empty()) return m_layout.find(path);
-    for (const SignalEntry& entry : m_layout.entries())
-        if (entry.path.starts_with(path)) return &entry;
-    return nullptr;
+    for (const SignalEntry& entry : m_layout.entriesOf(m_robot.name))
+        if (entry.path.starts_with(path)) return entry;
+    return std::nullopt;
 }
 
 } // namespace trundle

@@ -16,15 +16,14 @@ public:
 
     /// The entry of a signal of a device of this kind ("": any). Ground truth is available only through kind GroundTruth with the
     /// name groundTruth. Fails with E411 and lists the available names.
-    [[nodiscard]] Result<const SignalEntry*> bind(const std::string& kind, const std::string& device,
-                                                  const std::string& signal) const;
+    [[nodiscard]] Result<SignalEntry> bind(const std::string& kind, const std::string& device, const std::string& signal) const;
     /// The entry of a signal described by the controller's kind. Fails with E411 and lists the available ones.
-    [[nodiscard]] Result<const SignalEntry*> published(const std::string& signal) const;
+    [[nodiscard]] Result<SignalEntry> published(const std::string& signal) const;
     /// The same without an error: nullptr if there is none. Empty `signal`: any signal of the device.
-    [[nodiscard]] const SignalEntry* look(const std::string& device, const std::string& signal) const;
+    [[nodiscard]] std::optional<SignalEntry> look(const std::string& device, const std::string& signal) const;
 
 private:
-    [[nodiscard]] Result<const SignalEntry*> truth(const std::string& name, const std::string& signal) const;
+    [[nodiscard]] Result<SignalEntry> truth(const std::string& name, const std::string& signal) const;
     [[nodiscard]] std::string devices(const std::string& kind) const;
     [[nodiscard]] std::string signalsBelow(const std::string& prefix, bool truth) const;
     const RobotSpec& m_robot;

@@ -42,9 +42,12 @@ void Encoder::setup(Mount& mount) {
 double Encoder::countedOf(double passed, const Services& world) {
     if (!m_maxFrequency) return passed;
     const double most = m_left + *m_maxFrequency * world.tick() * m_perTurn / m_countsPerRevolution;
-    const double counted = std::min(std::abs(passed), std::floor(most + 1e-9));
-    m_left = std::min(most - counted, 1.0); // edges of an even turn do not come evenly in ticks
-    m_missed += std::abs(passed) - counted;
+    const double counted = std::min(std::abs(passed), std::floor(most + 1e-9)), lost = std::abs(passed) - counted;
+    m_left = most - counted;
+    m_isTooFast = lost > 0 || (m_isTooFast && m_left < 2);
+    // Edges of an even turn do not come evenly in ticks: one count may be left for the next edge, nearly two while edges are lost.
+    if (!m_isTooFast) m_left = std::min(m_left, 1.0);
+    m_missed += lost;
     return std::copysign(counted, passed);
 }
 

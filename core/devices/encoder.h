@@ -33,7 +33,8 @@ private:
     bool m_isAbsolute = false;
     double m_count = 0, m_lastPassed = 0; ///< counted; where the joint was, in counts
     double m_lastTurn = 0;
-    double m_left = 0; ///< counts that MaxFrequency would have allowed, below 1
+    double m_left = 1; ///< counts that MaxFrequency allows beyond those counted
+    bool m_isTooFast = false;
     double m_missed = 0;
 };
 

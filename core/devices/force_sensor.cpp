@@ -45,8 +45,8 @@ double ForceSensor::measured(std::size_t part, int axis, double truth, const Ser
     const auto i = static_cast<std::size_t>(axis);
     double value = truth + (part == kForce ? m_forceBias : m_torqueBias)[i];
     if (m_noise[part] > 0) value += m_noise[part] * normalDeviate(world.randomBits(3 * part + i));
-    value = roundedTo(value, m_resolution[part]);
-    return m_range[part] > 0 ? std::clamp(value, -m_range[part], m_range[part]) : value;
+    const double most = m_range[part] > 0 ? m_range[part] : HUGE_VAL;
+    return roundedWithin(value, -most, most, m_resolution[part]);
 }
 
 void ForceSensor::publish(std::span<const double> reading, double measuredAt) {

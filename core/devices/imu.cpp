@@ -104,8 +104,8 @@ double Imu::measured(int part, int axis, double truth, const Services& world) {
     const double dense = m_noiseDensity[p] / std::sqrt(seconds), sigma = std::sqrt(m_noise[p] * m_noise[p] + dense * dense);
     double value = truth * (1 + m_scaleError[p]) + m_bias[p][axis];
     if (sigma > 0) value += sigma * normalDeviate(world.randomBits(draw + 1));
-    value = roundedTo(value, m_resolution[p]);
-    return m_range[p] > 0 ? std::clamp(value, -m_range[p], m_range[p]) : value;
+    const double most = m_range[p] > 0 ? m_range[p] : HUGE_VAL;
+    return roundedWithin(value, -most, most, m_resolution[p]);
 }
 
 void Imu::publish(std::span<const double> reading, double measuredAt) {

@@ -15,10 +15,12 @@ struct Spread {
     double first = 0, step = 0; ///< rad
 };
 
+/// Number of steps in a field of view: around a full circle the last one leads back to the first bearing.
+int stepsOf(double fieldOfView, int count) { return fieldOfView > kFullCircle * (1 - 1e-9) ? count : count - 1; }
+
 Spread spreadOver(double fieldOfView, int count) {
     if (count < 2) return {};
-    const bool closed = fieldOfView > kFullCircle * (1 - 1e-9);
-    return {-fieldOfView / 2, fieldOfView / (closed ? count : count - 1)};
+    return {-fieldOfView / 2, fieldOfView / stepsOf(fieldOfView, count)};
 }
 
 } // namespace
@@ -73,18 +75,20 @@ void Lidar::begin(Mount& mount) {
     time.set(-1);
 }
 
-/// Casts what it has passed of the sweep that ends with the next reading. One that lost its power begins its sweep again.
+/// One that lost its power begins its sweep again.
 void Lidar::follow(Sensing& world) {
-    if (!world.supply().powered()) {
-        m_cast = 0;
-        return;
-    }
-    const double period = interval(world.tick());
-    if (!(m_sweepTime > world.tick())) return; // within one tick nothing moves
-    const double slack = 1e-6 * world.tick(), due = std::ceil((world.time() - slack) / period) * period;
-    const double share = 1 - (due - world.time()) / m_sweepTime;
-    if (!(share > 0)) return;
-    cast(world, m_cast, std::min(m_fan.count, static_cast<std::uint32_t>(share * m_fan.count + 1e-6)));
+    if (world.supply().powered()) castPassed(world);
+    else m_cast = 0;
+}
+
+/// Casts what it has passed of the sweep that ends with the reading after this tick. A single bearing is that of the end.
+void Lidar::castPassed(Sensing& world) {
+    if (!(m_sweepTime > world.tick()) || m_beams < 2) return; // within one tick nothing moves
+    const double period = interval(world.tick()), slack = 1e-6 * world.tick();
+    const double due = (std::floor((world.time() + slack) / period) + 1) * period;
+    const double passed = std::floor((1 - (due - world.time()) / m_sweepTime) * stepsOf(m_fieldOfView, m_beams) + 1e-6);
+    if (passed < 0) return;
+    cast(world, m_cast, std::min(m_fan.count, static_cast<std::uint32_t>(passed) + 1));
 }
 
 /// Bearings from `first` to before `end`, of all layers.
@@ -126,6 +130,7 @@ void Lidar::measure(Sensing& world, std::vector<double>& reading) {
         reading.push_back(isLost ? 0 : std::max(0.0, m_intensity[i] + error));
     }
     reading.insert(reading.end(), m_object.begin(), m_object.end());
+    castPassed(world); // the next sweep may begin as this one ends
 }
 
 void Lidar::publish(std::span<const double> reading, double measured) {

@@ -26,6 +26,7 @@ private:
     double m_sweepTime = 0, m_intensityNoise = 0; ///< s, -
     bool m_hasIntensity = false, m_hasObjects = false;
 
+    void castPassed(Sensing& world);
     void cast(Sensing& world, std::uint32_t first, std::uint32_t end);
 
     Fan m_fan;

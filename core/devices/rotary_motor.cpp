@@ -12,9 +12,12 @@ constexpr double kReached = 1e-3; // of the no-load rate: a servo that is farthe
 
 } // namespace
 
+double MotorConstants::lag(double h) const { return inductance > 0 ? resistance / std::expm1(h * resistance / inductance) : 0; }
+
 VoltageConstraint voltageConstraint(const MotorConstants& motor, double voltage, double lastCurrent, double h) {
-    // Implicit Euler for the inductance: i = (V + L/h i_last - G w/kv) / (R + L/h), the same law with another V and R.
-    const double lag = motor.inductance / h;
+    // The current of a coil whose voltage and rate are those of the whole tick: i = a i_last + (1 - a) (V - G w/kv) / R with
+    // a = exp(-h R/L), which is the same law with another V and R.
+    const double lag = motor.lag(h);
     const double resistance = motor.resistance + lag;
     const double drivingVoltage = voltage + lag * lastCurrent;
     const double damping = motor.torquePerAmpere() * motor.gearRatio / (resistance * motor.speedConstant);
@@ -219,9 +222,8 @@ void RotaryMotor::sense(Sensing& world) {
     const double effort = world.jointMotorEffort(m_joint), turning = world.jointRate(m_joint);
     const bool isFree = m_play.isFree();
     const double amperes = isFree ? m_freeTorque / m_motor.withEfficiency(1).torquePerAmpere() : effort / m_now.torquePerAmpere();
-    const double change = (amperes - current.get()) / world.tick(), ownRate = isFree ? m_play.rate() : turning;
-    terminalVoltage.set(m_motor.resistance * amperes + m_motor.inductance * change +
-                        m_motor.gearRatio * ownRate / m_motor.speedConstant);
+    const double lagging = m_motor.lag(world.tick()) * (amperes - current.get()), ownRate = isFree ? m_play.rate() : turning;
+    terminalVoltage.set(m_motor.resistance * amperes + lagging + m_motor.gearRatio * ownRate / m_motor.speedConstant);
     m_momentum = m_play.follow(turning, world.tick());
     torque.set(m_losses.any() && !isFree ? effort + m_line.offset + world.jointFrictionEffort(m_joint) : effort);
     current.set(amperes);
@@ -239,7 +241,7 @@ void RotaryMotor::drawPower(Sensing& world) {
     const Supply supply = world.supply();
     if (!supply.present || !(supply.voltage > 0)) return;
     const double share = terminalVoltage.get() / supply.voltage;
-    world.draw(terminalVoltage.get() * current.get(), share * share / (m_motor.resistance + m_motor.inductance / world.tick()));
+    world.draw(terminalVoltage.get() * current.get(), share * share / (m_motor.resistance + m_motor.lag(world.tick())));
 }
 
 } // namespace trundle

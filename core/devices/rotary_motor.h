@@ -29,6 +29,8 @@ struct MotorConstants {
     [[nodiscard]] double noLoadRate() const { return maxVoltage * speedConstant / gearRatio; }
     /// The torque at the joint at the driver's current limit, which is the stall torque at the highest voltage.
     [[nodiscard]] double stallTorque() const { return torquePerAmpere() * maxVoltage / resistance; }
+    /// Ohm, that the inductance adds to the resistance over a tick of h seconds: voltageConstraint().
+    [[nodiscard]] double lag(double h) const;
     /// The same motor whose gear lets this part of its torque pass.
     [[nodiscard]] MotorConstants withEfficiency(double part) const {
         MotorConstants other = *this;
@@ -42,8 +44,8 @@ struct VoltageConstraint {
     double rate = 0, softness = 0, limit = 0;
 };
 
-/// T = G kt (V - G w / kv) / R (thesis eq. 3.1) with w the rate after the step. The inductance is a first-order lag of the
-/// current, L di/dt = V - R i - G w / kv, integrated implicitly, so that it is also stable at any tick length.
+/// T = G kt (V - G w / kv) / R (thesis eq. 3.1) with w the rate after the step. The inductance is a first-order lag of the current,
+/// L di/dt = V - R i - G w / kv, solved exactly over the tick at the rate after the step, so that it is stable at any tick length.
 [[nodiscard]] VoltageConstraint voltageConstraint(const MotorConstants& motor, double voltage, double lastCurrent, double h);
 
 /// Drives a joint with a voltage, or as a servo with a target rate. The only owner of the joint's motor constraint.

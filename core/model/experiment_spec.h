@@ -113,6 +113,7 @@ struct SettingsSpec {
     SourceRange solverRange; ///< of its value; unknown if it is the default
     EngineChoice engine = EngineChoice::General;
     SourceRange engineRange; ///< of its value; unknown if it is the default
+    std::string whyGeneral;  ///< what the wheeled engine cannot hold, where Auto has become General
     int iterations = 20;
     int threads = 0; ///< that compute the motion; 0: as many as the machine has, where the work is worth it
     double errorReduction = 0.8; ///< error reduction parameter of joints, per tick

@@ -74,7 +74,8 @@ bool Medium::send(RadioId id, std::span<const std::uint8_t> bytes, std::uint32_t
         ++radio.counts.refused;
         return false;
     }
-    radio.queue.push_back({{bytes.begin(), bytes.end()}, to & 0xffff, power, radio.nextSequence++});
+    const std::uint64_t number = radio.packets++;
+    radio.queue.push_back({{bytes.begin(), bytes.end()}, to & 0xffff, power, static_cast<std::uint8_t>(number), number});
     return true;
 }
 

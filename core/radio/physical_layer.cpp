@@ -109,7 +109,7 @@ void PhysicalLayer::startFrame(RadioId sender, const OutgoingPacket& packet, boo
     m_events.schedule(frame.end, RadioEventKind::FrameEnd, sender, index);
     forTraces([&](RadioTrace& trace) {
         const bool wantsAck = m_settings.csma && packet.to != kBroadcastAddress;
-        trace.frames.push_back({static_cast<double>(m_events.now()) * 1e-6, sender,
+        trace.frames.push_back({static_cast<double>(m_events.now()) / 1e6, sender,
                                 ack ? ackFrame(packet.sequence)
                                     : dataFrame(radio.definition.address, packet.to, packet.sequence, wantsAck, packet.bytes)});
     });
@@ -224,9 +224,9 @@ ReceptionOutcome PhysicalLayer::deliver(RadioState& radio, const MacFrame& frame
     }
     const std::uint32_t from = m_radios[frame.from].definition.address;
     const bool answers = m_settings.csma && to == mine;
-    if (answers) {
-        const auto last = radio.lastSequence.find(from);
-        if (last != radio.lastSequence.end() && last->second == frame.packet.sequence) {
+    if (answers) { // sequence numbers repeat: a duplicate is the same packet of its sender
+        const auto last = radio.lastPacket.find(frame.from);
+        if (last != radio.lastPacket.end() && last->second == frame.packet.number) {
             answer(radio, frame);
             return ReceptionOutcome::Duplicate;
         }
@@ -238,10 +238,10 @@ ReceptionOutcome PhysicalLayer::deliver(RadioState& radio, const MacFrame& frame
     ++radio.counts.received;
     radio.counts.lastRssi = rssiOf(radio.definition, reception.link.power + radio.readingOffset);
     radio.counts.lastLqi = linkQuality(reception.worstSinr);
-    radio.inbox.push_back({static_cast<double>(m_events.now()) * 1e-6 * radio.clockFactor, radio.counts.lastRssi,
+    radio.inbox.push_back({static_cast<double>(m_events.now()) / 1e6 * radio.clockFactor, radio.counts.lastRssi,
                            radio.counts.lastLqi, from, to, frame.packet.sequence, frame.packet.bytes});
     if (answers) {
-        radio.lastSequence[from] = frame.packet.sequence;
+        radio.lastPacket[frame.from] = frame.packet.number;
         answer(radio, frame);
     }
     return ReceptionOutcome::Delivered;
@@ -259,7 +259,7 @@ void PhysicalLayer::close(const MacFrame& frame, Reception& reception, Reception
 void PhysicalLayer::record(const MacFrame& frame, const Reception& reception, ReceptionOutcome outcome) {
     const RadioState& radio = m_radios[reception.radio];
     const double sinr = std::min(reception.worstSinr, reception.link.power - m_settings.noiseFloor);
-    const FrameRecord r{static_cast<double>(frame.start) * 1e-6,
+    const FrameRecord r{static_cast<double>(frame.start) / 1e6,
                         frame.from,
                         reception.radio,
                         frame.ack,

@@ -33,8 +33,9 @@ double outputLevel(const RadioDefinition& radio, double wanted) {
 }
 
 double rssiOf(const RadioDefinition& radio, double power) {
-    const double rssi = std::min(power, radio.maxReceivePower);
-    return radio.rssiStep > 0 ? std::round(rssi / radio.rssiStep) * radio.rssiStep : rssi;
+    const double step = radio.rssiStep, most = radio.maxReceivePower;
+    if (!(step > 0)) return std::min(power, most);
+    return std::min(std::round(power / step), std::floor(most / step + 1e-9)) * step; // 1e-9: a limit that is a multiple itself
 }
 
 } // namespace trundle

@@ -14,7 +14,7 @@ struct RadioOffsets {
 
 /// The highest level (dBm) that is not above `wanted`.
 [[nodiscard]] double outputLevel(const RadioDefinition& radio, double wanted);
-/// RSSI (dBm) as the radio reads it: clamped to its upper limit and rounded to its resolution.
+/// RSSI (dBm) as the radio reads it: a multiple of its resolution up to its upper limit.
 [[nodiscard]] double rssiOf(const RadioDefinition& radio, double power);
 
 } // namespace trundle

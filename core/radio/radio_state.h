@@ -41,6 +41,7 @@ struct OutgoingPacket {
     std::uint32_t to = kBroadcastAddress;
     double power = 0;
     std::uint8_t sequence = 0;
+    std::uint64_t number = 0; ///< among its sender's packets; its last eight bits are the sequence number
 };
 
 /// Signal of a frame in the air, as it arrives at a radio.
@@ -84,7 +85,7 @@ struct RadioState {
     std::deque<OutgoingPacket> queue;
 
     // of PhysicalLayer
-    std::unordered_map<std::uint32_t, std::uint8_t> lastSequence; ///< by sender's address
+    std::unordered_map<RadioId, std::uint64_t> lastPacket; ///< by sender: number of the last one for it that it received
     std::vector<IncidentSignal> incidents;
     std::vector<ActiveReception> listening;
     std::uint64_t frames = 0;
@@ -94,7 +95,7 @@ struct RadioState {
 
     // of MediumAccess
     std::uint64_t draws = 0;
-    std::uint8_t nextSequence = 0;
+    std::uint64_t packets = 0; ///< queued since the start
     MacState state = MacState::Rest;
     int exponent = kLeastExponent, backoffs = 0, retries = 0;
     std::uint32_t attempt = 0;

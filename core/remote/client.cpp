@@ -47,10 +47,10 @@ std::string hashDigits(std::uint64_t hash) {
 
 std::string valuesOf(const Subscription& subscription, const SignalBlock& block) {
     std::string bytes;
-    for (const SignalEntry* entry : subscription.entries) {
-        const std::size_t start = bytes.size(), size = entry->count * sizeof(double);
+    for (const SignalEntry& entry : subscription.entries) {
+        const std::size_t start = bytes.size(), size = entry.count * sizeof(double);
         bytes.resize(start + size);
-        std::memcpy(bytes.data() + start, block.slots().data() + entry->offset, size);
+        std::memcpy(bytes.data() + start, block.slots().data() + entry.offset, size);
     }
     return bytes;
 }

@@ -17,7 +17,7 @@ namespace trundle {
 /// Signals that a client gets as doubles, in the order of the layout.
 struct Subscription {
     std::vector<std::string> patterns;
-    std::vector<const SignalEntry*> entries;
+    std::vector<SignalEntry> entries;
     std::uint64_t every = 0;   ///< ticks; 0: only as part of replies
     std::uint64_t skipped = 0; ///< events that were left out since the last one, as the client reads too slowly
 };

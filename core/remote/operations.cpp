@@ -61,6 +61,13 @@ Json statusOf(ServedRun& run) {
                            {"controller", each.controller},
                            {"time", each.time}, {"reason", each.fault.reason}});
     status["stopped"] = std::move(stopped);
+    Json ended = Json::array();
+    for (const auto& [robot, fault] : run.world().robotFaults().ends)
+        ended.push_back({{"robot", run.world().experiment().robots[robot].name},
+                         {"body", fault.body},
+                         {"reason", fault.reason},
+                         {"time", nearestTickTime(fault.time, settings.tick)}});
+    status["ended"] = std::move(ended);
     return status;
 }
 
@@ -68,7 +75,7 @@ void bindSignals(Subscription& subscription, const SignalLayout& layout) {
     subscription.entries.clear();
     for (const SignalEntry& entry : layout.entries())
         if (std::ranges::any_of(subscription.patterns, [&](const std::string& p) { return matchesWildcard(p, entry.path); }))
-            subscription.entries.push_back(&entry);
+            subscription.entries.push_back(entry);
 }
 
 } // namespace trundle

@@ -112,8 +112,7 @@ Reply QueryOperations::describe() {
     Reply reply;
     Json devices = Json::array(), signals = Json::array(), controllers = controllersOf(m_run, *robot);
     for (const ComponentSpec& device : robot->config->devices) devices.push_back(describedDevice(*robot, device));
-    for (const SignalEntry& entry : m_run.world().layout().entries())
-        if (entry.path.starts_with(robot->name + "/")) signals.push_back(describedSignal(entry));
+    for (const SignalEntry& entry : m_run.world().layout().entriesOf(robot->name)) signals.push_back(describedSignal(entry));
     reply.members["robot"] = robot->name;
     reply.members["controller"] = controllers.empty() ? Json() : controllers.front();
     reply.members["controllers"] = std::move(controllers);
@@ -134,7 +133,7 @@ Reply QueryOperations::subscribe() {
     if (subscription.entries.empty()) return noneMatches(subscription.patterns, m_run.world().layout());
     Reply reply;
     Json signals = Json::array();
-    for (const SignalEntry* entry : subscription.entries) signals.push_back({entry->path, entry->count});
+    for (const SignalEntry& entry : subscription.entries) signals.push_back({entry.path, entry.count});
     reply.members["subscription"] = ++m_client.lastSubscription;
     reply.members["signals"] = std::move(signals);
     m_client.subscriptions[m_client.lastSubscription] = std::move(subscription);
@@ -167,9 +166,10 @@ Reply QueryOperations::readDevice(const std::string& path) {
     const SignalLayout& layout = m_run.world().layout();
     if (const DeviceView* view = viewOf(device->kind)) {
         for (const ViewData& each : view->data)
-            if (const SignalEntry* entry = layout.find(path + "/" + std::string(each.signal))) data[std::string(each.name)] = numbersOf(*entry);
+            if (const auto entry = layout.find(path + "/" + std::string(each.signal)))
+                data[std::string(each.name)] = numbersOf(*entry);
     } else {
-        for (const SignalEntry& entry : layout.entries())
+        for (const SignalEntry& entry : layout.entriesOf(path.substr(0, path.find('/'))))
             if (entry.path.starts_with(path + "/") && entry.direction == SignalDirection::Output)
                 data[entry.path.substr(path.size() + 1)] = numbersOf(entry);
     }
@@ -201,7 +201,7 @@ Reply QueryOperations::read() {
     if (once.entries.empty()) return noneMatches(once.patterns, m_run.world().layout());
     Reply reply{stateOf(m_run), {}, {}, {}, false};
     Json values = Json::object();
-    for (const SignalEntry* entry : once.entries) values[entry->path] = numbersOf(*entry);
+    for (const SignalEntry& entry : once.entries) values[entry.path] = numbersOf(entry);
     reply.members["values"] = std::move(values);
     return reply;
 }

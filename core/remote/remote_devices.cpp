@@ -42,7 +42,7 @@ RemoteRadios::RemoteRadios(RemoteWorld& world) : m_world(world) {
     const RobotSpec& robot = world.experiment().robots[0];
     for (const ComponentSpec& device : robot.config->devices) {
         const std::string path = robot.name + "/" + device.name;
-        const SignalEntry *address = world.layout().find(path + "/address"), *pending = world.layout().find(path + "/pending");
+        const auto address = world.layout().find(path + "/address"), pending = world.layout().find(path + "/pending");
         const bool isThere = std::ranges::find(world.missing(), path + "/pending") == world.missing().end();
         if (device.kind == "Transceiver" && address && pending && isThere)
             m_radios.push_back({path, address->offset, pending->offset});

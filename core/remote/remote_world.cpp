@@ -13,19 +13,19 @@ RemoteWorld::RemoteWorld(std::unique_ptr<World> described, std::unique_ptr<Robot
 void RemoteWorld::join() {
     const std::string robot = experiment().robots[0].name;
     for (const SignalEntry& entry : layout().entries()) {
+        if (isPublished(entry.path)) continue; // the controller here writes it, that at the other end rests
         const auto found = std::ranges::find(m_link->signals(), entry.path, &RobotLink::Signal::path);
         const bool isCommand = entry.direction == SignalDirection::Command;
         const bool isThere = found != m_link->signals().end() && found->count == entry.count;
         if (!isThere || (found->direction == "command") != isCommand) {
-            // What the controller publishes is an output without a device.
-            if (entry.direction != SignalDirection::Truth && !isPublished(entry.path)) m_missing.push_back(entry.path);
+            if (entry.direction != SignalDirection::Truth) m_missing.push_back(entry.path);
             continue;
         }
         if (isCommand) m_commands.push_back({entry.offset, found->offset, entry.path, std::vector<double>(entry.count)});
         if (isCommand) continue;
         m_read.push_back({entry.offset, found->offset, entry.count});
-        if (entry.path == robot + "/pose") m_pose = &entry;
-        if (!m_odometry && entry.path.ends_with("/odometry") && entry.count == 3) m_odometry = &entry;
+        if (entry.path == robot + "/pose") m_pose = entry.offset;
+        if (!m_odometry && entry.path.ends_with("/odometry") && entry.count == 3) m_odometry = entry.offset;
     }
 }
 
@@ -66,12 +66,12 @@ Status RemoteWorld::tick() {
 Pose RemoteWorld::robotPose(std::size_t robot) const {
     const std::span<const double> slots = block().slots();
     if (m_pose) {
-        const auto at = slots.subspan(m_pose->offset, 7);
+        const auto at = slots.subspan(*m_pose, 7);
         return {Vec3(at[0], at[1], at[2]), Quat(at[3], at[4], at[5], at[6])};
     }
     const Pose& start = experiment().robots[robot].pose;
     if (!m_odometry) return start;
-    const auto at = slots.subspan(m_odometry->offset, 3);
+    const auto at = slots.subspan(*m_odometry, 3);
     return start * Pose{Vec3(at[0], at[1], 0), rotationFromHpr(Vec3(at[2], 0, 0))};
 }
 

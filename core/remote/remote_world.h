@@ -65,7 +65,7 @@ private:
     std::vector<CommandOf> m_commands;
     std::vector<std::string> m_missing;
     std::vector<WorldContact> m_contacts;
-    const SignalEntry *m_pose = nullptr, *m_odometry = nullptr;
+    std::optional<std::uint32_t> m_pose, m_odometry; ///< slots
     std::uint64_t m_ticks = 0;
 };
 

@@ -90,11 +90,11 @@ const RobotSpec* ServedRun::robot(const std::string& name) const {
 Status ServedRun::checkSignal(const std::string& path, std::size_t count) const {
     if (!exists()) return noRun();
     const SignalLayout& layout = m_built.runner->world().layout();
-    const SignalEntry* entry = layout.find(path);
+    const auto entry = layout.find(path);
     if (!entry) {
         std::vector<std::string> names;
-        for (const SignalEntry& each : layout.entries())
-            if (each.direction == SignalDirection::Command && robotOf(each.path) == robotOf(path)) names.push_back(each.path);
+        for (const SignalEntry& each : layout.entriesOf(robotOf(path)))
+            if (each.direction == SignalDirection::Command) names.push_back(each.path);
         return Error{Code::NoSuchPath, "there is no signal " + shortenedMessage(path) + meant(path, names)};
     }
     if (entry->direction != SignalDirection::Command) return Error{Code::WrongPlace, path + " is measured, not commanded"};
@@ -141,8 +141,7 @@ Status ServedRun::place(const std::string& name, const Pose& pose) {
     const ExperimentSpec& experiment = world().experiment();
     const JoinedRobots joined(experiment);
     const auto index = static_cast<std::size_t>(placed - experiment.robots.data());
-    if (const std::string& hold = joined.hold(index); !hold.empty())
-        return Error{Code::OutOfRange, name + " cannot be placed: " + hold};
+    if (const Status possible = checkPlace(world(), joined, index, pose); !possible) return possible;
     for (const std::size_t i : joined.with(index)) m_commands.erase("place " + experiment.robots[i].name); // the last one counts
     m_commands["place " + name] = PlaceCommand{name, pose};
     return {};
@@ -155,6 +154,8 @@ Status ServedRun::push(const std::string& body, const Vec3& force, const Vec3& p
                            return body == owner->name + "/" + each.name;
                        });
     if (!known) return Error{Code::NoSuchPath, "there is no body " + shortenedMessage(body)};
+    const auto index = static_cast<std::size_t>(owner - world().experiment().robots.data());
+    if (const Status possible = checkPush(world(), index, force, point); !possible) return possible;
     char key[32]; // of its own: all pushes act, in the order in which they came
     std::snprintf(key, sizeof key, "push %020llu", static_cast<unsigned long long>(m_pushes++));
     m_commands[key] = PushCommand{body, force, point};

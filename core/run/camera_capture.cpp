@@ -8,7 +8,7 @@ CameraCapture::CameraCapture(const World& world, ImageSourceFactory maker) : m_w
         for (const ComponentSpec& device : robot.config->devices) {
             if (device.kind != "Camera" || !(device.number("UpdatePeriod") > 0)) continue;
             const std::string path = robot.name + "/" + device.name;
-            if (const SignalEntry* frame = world.layout().find(path + "/frame")) m_streams[path].frameSlot = frame->offset;
+            if (const auto frame = world.layout().find(path + "/frame")) m_streams[path].frameSlot = frame->offset;
         }
     }
     afterTick();

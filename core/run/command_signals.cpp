@@ -6,7 +6,7 @@
 namespace trundle {
 
 Status setSignal(World& world, const SignalCommand& signal) {
-    const SignalEntry* entry = world.layout().find(signal.path);
+    const auto entry = world.layout().find(signal.path);
     if (!entry) return Error{Code::NoSuchPath, "there is no signal " + signal.path};
     if (entry->direction != SignalDirection::Command || signal.element >= entry->count)
         return Error{Code::WrongPlace, signal.path + " is no command"};
@@ -16,8 +16,8 @@ Status setSignal(World& world, const SignalCommand& signal) {
 }
 
 void setCommandsToZero(World& world, const RobotSpec& robot) {
-    for (const SignalEntry& entry : world.layout().entries())
-        if (entry.direction == SignalDirection::Command && entry.path.starts_with(robot.name + "/"))
+    for (const SignalEntry& entry : world.layout().entriesOf(robot.name))
+        if (entry.direction == SignalDirection::Command)
             std::fill_n(world.block().slots().begin() + entry.offset, entry.count, 0.0);
 }
 

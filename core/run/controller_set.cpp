@@ -130,7 +130,9 @@ ControllerOutputs ControllerSet::outputsOf(std::size_t controller) {
 
 Status ControllerSet::claim(std::size_t controller, const std::string& command) {
     const RunningController& own = m_controllers[controller];
-    const std::size_t owner = m_claims.claim(own.robot, m_context.world.layout().find(command), controller);
+    const auto signal = m_context.world.layout().find(command);
+    if (!signal) return Error{Code::UnknownPort, "there is no command " + command};
+    const std::size_t owner = m_claims.claim(own.robot, *signal, controller);
     if (owner == controller) return {};
     return Error{Code::MultipleControllers, own.spec().name + " and " + m_controllers[owner].spec().name + " both command " +
                                                 command + ": each controller of a robot needs commands of its own"};

@@ -1,80 +1,80 @@
 #include "signals/layout.h"
 
-#include <algorithm>
-#include <cstring>
-#include <functional>
-
 namespace trundle {
-
 namespace {
 
-constexpr std::uint32_t kGap = 0xffffffffu;
-
-/// Continues a hash with a number, each bit of which may change half of the bits.
-std::uint64_t hashNumber(std::uint64_t value, std::uint64_t start) {
-    const std::uint64_t h = (start ^ value) * 0x9e3779b97f4a7c15ull; // odd, with as many ones as zeros
-    return h ^ (h >> 32);
-}
-
-/// Continues a hash with a text and its length, so that "ab","c" differs from "a","bc": eight characters at a time, as the names of all
-/// signals of a large world are long.
-std::uint64_t hashText(std::string_view text, std::uint64_t start) {
-    std::uint64_t h = hashNumber(text.size(), start);
-    for (; !text.empty(); text.remove_prefix(std::min<std::size_t>(8, text.size()))) {
-        std::uint64_t word = 0;
-        std::memcpy(&word, text.data(), std::min<std::size_t>(8, text.size()));
-        h = hashNumber(word, h);
-    }
-    return h;
+auto robotOf(const std::vector<ImageSpan>& images) {
+    return [&images](std::uint32_t i) -> std::string_view { return images[i].robot; };
 }
 
 } // namespace
 
-void SignalLayout::beginRobot(std::string name) { m_images.push_back({std::move(name), m_slots, 0}); }
+void SignalLayout::beginRobot(std::string name) {
+    m_images.push_back({std::move(name), m_slots, 0});
+    m_byRobot.add(m_images.back().robot, robotOf(m_images));
+}
 
-std::uint32_t SignalLayout::add(std::string path, std::string unit, SignalType type, SignalDirection direction,
+void SignalLayout::repeatRobot(std::string name, std::size_t equal) {
+    m_images.push_back({std::move(name), m_slots, m_images[equal].count, m_images[equal].group});
+    m_slots += m_images.back().count;
+    m_byRobot.add(m_images.back().robot, robotOf(m_images));
+}
+
+std::uint32_t SignalLayout::add(std::string name, std::string unit, SignalType type, SignalDirection direction,
                                 std::uint32_t count) {
-    const std::uint32_t offset = m_slots;
-    if (2 * (m_entries.size() + 1) > m_index.size()) enlargeIndex();
-    std::uint32_t& place = m_index[placeOf(path)];
-    if (place == kGap) place = static_cast<std::uint32_t>(m_entries.size()); // of two equal paths the first is kept
-    m_entries.push_back({std::move(path), std::move(unit), type, direction, offset, count});
+    if (m_images.empty()) beginRobot({});
+    ImageSpan& image = m_images.back();
+    if (image.group.use_count() > 1) image.group = std::make_shared<SignalGroup>(*image.group); // others keep theirs
+    image.group->add({std::move(name), std::move(unit), type, direction, image.count, count});
+    image.count += count;
     m_slots += count;
-    if (!m_images.empty()) m_images.back().count += count;
-    return offset;
+    return m_slots - count;
 }
 
-const SignalEntry* SignalLayout::find(std::string_view path) const {
-    if (m_index.empty()) return nullptr;
-    const std::uint32_t index = m_index[placeOf(path)];
-    return index == kGap ? nullptr : &m_entries[index];
+SignalEntry SignalLayout::entryOf(const ImageSpan& image, const SignalGroup::Item& item) const {
+    std::string path;
+    path.reserve(image.robot.size() + 1 + item.name.size());
+    if (!image.robot.empty()) path.append(image.robot).append("/");
+    path += item.name;
+    return {std::move(path), item.unit, item.type, item.direction, image.offset + item.offset, item.count};
 }
 
-/// Where the path is in the index, or the gap where it would be: from its hash on, one place after the other.
-std::size_t SignalLayout::placeOf(std::string_view path) const {
-    const std::size_t mask = m_index.size() - 1;
-    const std::hash<std::string_view> hashOf;
-    std::size_t at = hashOf(path) & mask;
-    while (m_index[at] != kGap && m_entries[m_index[at]].path != path) at = (at + 1) & mask;
-    return at;
+std::optional<SignalEntry> SignalLayout::find(std::string_view path) const {
+    const std::size_t slash = path.find('/');
+    const bool owned = slash != std::string_view::npos;
+    const ImageSpan* image = imageOf(owned ? path.substr(0, slash) : std::string_view());
+    const SignalGroup::Item* item = image ? image->group->find(owned ? path.substr(slash + 1) : path) : nullptr;
+    return item ? std::optional(entryOf(*image, *item)) : std::nullopt;
 }
 
-void SignalLayout::enlargeIndex() {
-    m_index.assign(std::max<std::size_t>(16, 2 * m_index.size()), kGap);
-    for (std::uint32_t i = 0; i < m_entries.size(); ++i)
-        if (std::uint32_t& place = m_index[placeOf(m_entries[i].path)]; place == kGap) place = i;
+const ImageSpan* SignalLayout::imageOf(std::string_view robot) const {
+    const std::uint32_t image = m_byRobot.find(robot, robotOf(m_images));
+    return image == NameIndex::kNone ? nullptr : &m_images[image];
+}
+
+SignalLayout::Range SignalLayout::entries() const { return {*this, 0, m_images.size()}; }
+
+SignalLayout::Range SignalLayout::entriesOf(std::string_view robot) const {
+    const ImageSpan* image = imageOf(robot);
+    const std::size_t first = image ? static_cast<std::size_t>(image - m_images.data()) : 0;
+    return {*this, first, first + (image ? 1 : 0)};
+}
+
+std::size_t SignalLayout::Range::size() const {
+    std::size_t size = 0;
+    for (std::size_t i = m_first; i < m_end; ++i) size += m_layout->m_images[i].group->items().size();
+    return size;
 }
 
 std::uint64_t SignalLayout::hash() const {
-    std::uint64_t h = hashNumber(m_entries.size(), 0xcbf29ce484222325ull);
-    for (const SignalEntry& e : m_entries) {
-        h = hashText(e.unit, hashText(e.path, h));
-        h = hashNumber(static_cast<std::uint64_t>(e.type), h);
-        h = hashNumber(static_cast<std::uint64_t>(e.direction), h);
-        h = hashNumber(e.offset, h);
-        h = hashNumber(e.count, h);
+    std::uint64_t h = hashNumber(m_images.size(), 0xcbf29ce484222325ull), ofGroup = 0;
+    const SignalGroup* last = nullptr; // equal robots follow each other
+    for (const ImageSpan& image : m_images) {
+        if (image.group.get() != last) ofGroup = image.group->hash();
+        last = image.group.get();
+        h = hashNumber(ofGroup, hashText(image.robot, h));
+        h = hashNumber(image.count, hashNumber(image.offset, h));
     }
-    for (const ImageSpan& image : m_images) h = hashNumber(image.count, hashNumber(image.offset, hashText(image.robot, h)));
     return h;
 }
 

@@ -1,5 +1,10 @@
 #include "world/robot_signals.h"
 
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
+
+#include "model/signal_count.h"
 #include "world/signal_plan.h"
 
 namespace trundle {
@@ -62,13 +67,33 @@ void publishRobot(const BuiltRobot& robot, const WorldObjects& objects, const En
     }
 }
 
+/// Controllers of two robots of one config.
+bool publishTheSame(const RobotSpec& a, const RobotSpec& b) {
+    return std::ranges::equal(a.controllers, b.controllers, [](const ControllerSpec& x, const ControllerSpec& y) {
+        if (x.published.empty() && y.published.empty()) return true;
+        return x.name == y.name && std::ranges::equal(x.published, y.published, [&](const auto& s, const auto& t) {
+                   return s.name == t.name && s.unit == t.unit && s.type == t.type && s.direction == t.direction &&
+                          signalCount(s, x) == signalCount(t, y);
+               });
+    });
+}
+
 } // namespace
 
 SignalLayout RobotSignals::layOut(const ExperimentSpec& experiment, const WorldObjects& objects, WorldDevices& devices) {
     SignalLayout layout;
     m_images.clear();
+    std::unordered_map<const RobotConfigSpec*, std::uint32_t> latest; // robot with a config
     for (const BuiltRobot& robot : objects.robots()) {
         const auto index = static_cast<std::uint32_t>(m_images.size());
+        const auto [place, isFirst] = latest.try_emplace(robot.spec->config.get(), index);
+        const std::uint32_t equal = std::exchange(place->second, index);
+        if (!isFirst && publishTheSame(*objects.robots()[equal].spec, *robot.spec)) {
+            m_images.push_back(layout.slotCount());
+            layout.repeatRobot(robot.spec->name, equal);
+            devices.layOutLike(index, equal, m_images[index] - m_images[equal]);
+            continue;
+        }
         m_images.push_back(planRobot(layout, *robot.spec));
         devices.layOut(index, *robot.spec->config, layout);
         planControllers(layout, *robot.spec);

@@ -12,28 +12,28 @@ namespace {
 constexpr auto kReal = SignalType::Real;
 constexpr auto kTruth = SignalDirection::Truth;
 
-/// Pose and velocity of a robot or of one of its bodies; returns the first slot.
-std::uint32_t addState(SignalLayout& layout, const std::string& path) {
+/// Pose and velocity of a robot or of one of its bodies ("body/"); returns the first slot.
+std::uint32_t addState(SignalLayout& layout, const std::string& owner) {
     const auto first = layout.slotCount();
     for (const SignalInfo& s : descriptionOf<GroundTruthSignals>().signals())
-        layout.add(path + "/" + s.name, s.unit, kReal, kTruth, s.count);
+        layout.add(owner + s.name, s.unit, kReal, kTruth, s.count);
     return first;
 }
 
-void addJoint(SignalLayout& layout, const std::string& path, JointType type) {
+void addJoint(SignalLayout& layout, const std::string& owner, JointType type) {
     if (!hasPosition(type)) return;
     const bool linear = type == JointType::Slider;
-    layout.add(path + "/position", linear ? "m" : "rad", kReal, kTruth);
-    layout.add(path + "/rate", linear ? "m/s" : "rad/s", kReal, kTruth);
+    layout.add(owner + "position", linear ? "m" : "rad", kReal, kTruth);
+    layout.add(owner + "rate", linear ? "m/s" : "rad/s", kReal, kTruth);
     if (type != JointType::Universal) return;
-    layout.add(path + "/position2", "rad", kReal, kTruth);
-    layout.add(path + "/rate2", "rad/s", kReal, kTruth);
+    layout.add(owner + "position2", "rad", kReal, kTruth);
+    layout.add(owner + "rate2", "rad/s", kReal, kTruth);
 }
 
-void addSpring(SignalLayout& layout, const std::string& path) {
-    layout.add(path + "/length", "m", kReal, kTruth);
-    layout.add(path + "/rate", "m/s", kReal, kTruth);
-    layout.add(path + "/force", "N", kReal, kTruth);
+void addSpring(SignalLayout& layout, const std::string& owner) {
+    layout.add(owner + "length", "m", kReal, kTruth);
+    layout.add(owner + "rate", "m/s", kReal, kTruth);
+    layout.add(owner + "force", "N", kReal, kTruth);
 }
 
 std::uint64_t times(std::uint64_t count, double value) {
@@ -71,32 +71,31 @@ std::uint32_t planBetweenRobots(SignalLayout& layout, const ExperimentSpec& expe
     for (const auto& link : experiment.joints) {
         if (!hasPosition(link.spec.type)) continue;
         layout.beginRobot(link.spec.name);
-        addJoint(layout, link.spec.name, link.spec.type);
+        addJoint(layout, "", link.spec.type);
     }
     for (const auto& link : experiment.springs) {
         layout.beginRobot(link.spec.name);
-        addSpring(layout, link.spec.name);
+        addSpring(layout, "");
     }
     for (const RegionSpec& region : experiment.regions) {
         layout.beginRobot(region.name);
-        for (const char* number : {"/count", "/entered", "/left"})
-            layout.add(region.name + number, "", SignalType::Integer, SignalDirection::Output);
-        layout.add(region.name + "/inside", "", SignalType::Boolean, SignalDirection::Output,
+        for (const char* number : {"count", "entered", "left"})
+            layout.add(number, "", SignalType::Integer, SignalDirection::Output);
+        layout.add("inside", "", SignalType::Boolean, SignalDirection::Output,
                    std::max<std::uint32_t>(1, static_cast<std::uint32_t>(region.robots.size())));
     }
     return first;
 }
 
 std::uint32_t planRobot(SignalLayout& layout, const RobotSpec& robot) {
-    const std::string& name = robot.name;
-    layout.beginRobot(name);
-    const std::uint32_t first = addState(layout, name);
-    for (const BodySpec& body : robot.config->bodies) addState(layout, name + "/" + body.name);
-    for (const JointSpec& joint : robot.config->joints) addJoint(layout, name + "/" + joint.name, joint.type);
-    for (const SpringSpec& spring : robot.config->springs) addSpring(layout, name + "/" + spring.name);
+    layout.beginRobot(robot.name);
+    const std::uint32_t first = addState(layout, "");
+    for (const BodySpec& body : robot.config->bodies) addState(layout, body.name + "/");
+    for (const JointSpec& joint : robot.config->joints) addJoint(layout, joint.name + "/", joint.type);
+    for (const SpringSpec& spring : robot.config->springs) addSpring(layout, spring.name + "/");
     for (const GearSpec& gear : robot.config->gears) {
         const bool linear = robot.config->joints[static_cast<std::size_t>(gear.joint)].type == JointType::Slider;
-        layout.add(name + "/" + gear.name + (linear ? "/force" : "/torque"), linear ? "N" : "N m", kReal, kTruth);
+        layout.add(gear.name + (linear ? "/force" : "/torque"), linear ? "N" : "N m", kReal, kTruth);
     }
     return first;
 }
@@ -105,8 +104,8 @@ void planControllers(SignalLayout& layout, const RobotSpec& robot) {
     for (const ControllerSpec& controller : robot.controllers)
         for (const SignalDescription& s : controller.published)
             if (s.direction == TRUNDLE_OUTPUT)
-                layout.add(robot.name + "/" + controller.name + "/" + s.name, s.unit, static_cast<SignalType>(s.type),
-                           SignalDirection::Output, signalCount(s, controller));
+                layout.add(controller.name + "/" + s.name, s.unit, static_cast<SignalType>(s.type), SignalDirection::Output,
+                           signalCount(s, controller));
 }
 
 std::string signalUnit(const RobotConfigSpec& config, const ComponentSpec& device, std::string_view signal,
@@ -125,7 +124,7 @@ SignalLayout plannedLayout(const ExperimentSpec& experiment, const Registry& reg
             const Kind* kind = registry.find(device.kind);
             if (!kind) continue;
             for (const SignalDescription& s : kind->signals)
-                layout.add(robot.name + "/" + device.name + "/" + s.name, signalUnit(*robot.config, device, s.name, s.unit),
+                layout.add(device.name + "/" + s.name, signalUnit(*robot.config, device, s.name, s.unit),
                            static_cast<SignalType>(s.type), static_cast<SignalDirection>(s.direction), signalCount(s, device));
         }
         planControllers(layout, robot);

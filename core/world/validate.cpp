@@ -272,7 +272,7 @@ bool isSurface(const SurfaceSpec& s) {
 bool isBuildable(const ExperimentSpec& experiment, Diagnostics& diagnostics) {
     if (!Check(experiment, diagnostics).all()) return false;
     return (experiment.settings.engine != EngineChoice::Wheeled && experiment.settings.engine != EngineChoice::Planar) ||
-           fitsWheeled(experiment, &diagnostics);
+           fitsWheeled(experiment, diagnostics);
 }
 
 } // namespace trundle

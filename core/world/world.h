@@ -20,6 +20,7 @@
 
 namespace trundle {
 
+class JoinedRobots;
 class Medium;
 
 /// The code of a device kind.
@@ -141,6 +142,10 @@ public:
 };
 
 [[nodiscard]] bool hasEnded(const World& world, std::size_t robot);
+
+// Why a world refuses a command to a robot, or that it does not; also before the tick for which the command is meant.
+[[nodiscard]] Status checkPush(const World& world, std::size_t robot, const Vec3& force, const Vec3& point);
+[[nodiscard]] Status checkPlace(const World& world, const JoinedRobots& joined, std::size_t robot, const Pose& pose);
 
 /// How many threads compute the motion in a world of this experiment, with the one that calls tick(). No result depends on it.
 [[nodiscard]] unsigned threadsFor(const ExperimentSpec& experiment);

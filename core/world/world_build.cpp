@@ -22,7 +22,8 @@ bool hasMovingJoints(const RobotSpec& robot) {
 std::shared_ptr<const ExperimentSpec> withEngine(std::shared_ptr<const ExperimentSpec> experiment) {
     if (experiment->settings.engine != EngineChoice::Auto) return experiment;
     auto chosen = std::make_shared<ExperimentSpec>(*experiment);
-    chosen->settings.engine = fitsWheeled(*experiment, nullptr) ? EngineChoice::Wheeled : EngineChoice::General;
+    chosen->settings.whyGeneral = whyNotWheeled(*experiment);
+    chosen->settings.engine = chosen->settings.whyGeneral.empty() ? EngineChoice::Wheeled : EngineChoice::General;
     return chosen;
 }
 
@@ -42,8 +43,9 @@ std::unique_ptr<World> World::build(std::shared_ptr<const ExperimentSpec> experi
     const SettingsSpec& s = experiment->settings;
     const EngineSettings settings{
         s.gravity, s.seed, s.solver, s.iterations, s.errorReduction, experiment->surfaces, calls.get(), threadsFor(*experiment)};
-    auto engine = s.engine == EngineChoice::General ? makeOdeEngine(settings)
-                                                    : makeWheeledEngine(settings, s.engine == EngineChoice::Planar);
+    auto engine = s.engine == EngineChoice::General
+                      ? makeOdeEngine(settings)
+                      : makeWheeledEngine(settings, s.engine == EngineChoice::Planar, wheeledGround(*experiment));
     if (!engine) {
         diagnostics.error(engine.error().code, {}, engine.error().message);
         return nullptr;

@@ -135,11 +135,20 @@ void WorldDevices::layOut(std::uint32_t robot, const RobotConfigSpec& config, Si
         WorldDevice& device = *m_devices.all[d];
         for (std::uint32_t i = 0; i < device.kind->signalCount; ++i) {
             const TrundleSignal& s = device.kind->signals[i];
-            device.slots.push_back(layout.add(device.path + "/" + s.name,
+            device.slots.push_back(layout.add(device.spec->name + "/" + s.name,
                                               signalUnit(config, *device.spec, s.name, s.unit ? s.unit : ""),
                                               static_cast<SignalType>(s.type), static_cast<SignalDirection>(s.direction),
                                               static_cast<std::uint32_t>(signalCount(*device.kind, s, *device.spec))));
         }
+    }
+}
+
+void WorldDevices::layOutLike(std::uint32_t robot, std::uint32_t equal, std::uint32_t shift) {
+    const std::uint32_t first = m_devices.firstOf[robot], count = m_devices.firstOf[robot + 1] - first;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        std::vector<std::uint32_t>& slots = m_devices.all[first + i]->slots;
+        slots = m_devices.all[m_devices.firstOf[equal] + i]->slots;
+        for (std::uint32_t& slot : slots) slot += shift;
     }
 }
 

@@ -23,6 +23,8 @@ public:
     void create(std::span<const BuiltRobot> robots, const DeviceCode& code, Diagnostics& diagnostics);
     /// Adds the signals of one robot's devices.
     void layOut(std::uint32_t robot, const RobotConfigSpec& config, SignalLayout& layout);
+    /// Of a robot with the config and the signals of `equal`, whose slots lie `shift` further.
+    void layOutLike(std::uint32_t robot, std::uint32_t equal, std::uint32_t shift);
     void setup(const DeviceHost& host, Diagnostics& diagnostics);
     /// Devices act before the peers whose signals they bound, and sense after them.
     void order(Diagnostics& diagnostics);

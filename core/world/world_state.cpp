@@ -31,6 +31,12 @@ private:
     std::uint64_t m_hash = 0xcbf29ce484222325ull;
 };
 
+Status checkAlive(const World& world, std::size_t robot) {
+    if (!hasEnded(world, robot)) return {};
+    const std::string& name = world.experiment().robots[robot].name;
+    return Error{Code::OutOfRange, name + " has ended and stays where it is until the run starts again"};
+}
+
 } // namespace
 
 /// In the order in which they are built: moving scenery and robots by their names, the bodies of one as its config has them, so that the
@@ -92,11 +98,27 @@ SweepReport BuiltWorld::sweeps() const {
     return report;
 }
 
+Status checkPush(const World& world, std::size_t robot, const Vec3& force, const Vec3& point) {
+    if (!force.allFinite() || !point.allFinite() || force.norm() > 1e9)
+        return Error{Code::OutOfRange, "a push needs a finite force of at most 1e9 N"};
+    return checkAlive(world, robot);
+}
+
+Status checkPlace(const World& world, const JoinedRobots& joined, std::size_t index, const Pose& pose) {
+    const RobotSpec& robot = world.experiment().robots[index];
+    if (robot.scenery) return Error{Code::OutOfRange, robot.name + " is scenery, which has its place in the text alone"};
+    if (!isPosition(pose)) return Error{Code::OutOfRange, "a robot's position must be finite and within 100 km"};
+    if (const Status alive = checkAlive(world, index); !alive) return alive;
+    const std::string& hold = joined.hold(index);
+    return hold.empty() ? Status() : Error{Code::OutOfRange, robot.name + " cannot be placed: " + hold};
+}
+
 Status BuiltWorld::push(const std::string& body, const Vec3& force, const Vec3& point) {
     const std::uint32_t* index = m_objects.findBody(body);
     if (!index) return Error{Code::UnknownReference, "there is no body " + body};
-    if (!force.allFinite() || !point.allFinite() || force.norm() > 1e9)
-        return Error{Code::OutOfRange, "a push needs a finite force of at most 1e9 N"};
+    const auto robot = static_cast<std::size_t>(m_objects.findRobot(body.substr(0, body.find('/'))) - m_objects.robots().data());
+    if (hasEnded(*this, robot)) return {}; // the user may still pull at it, with a command in each tick
+    if (const Status possible = checkPush(*this, robot, force, point); !possible) return possible;
     if (!m_objects.isFixed(*index)) m_engine->addForce({*index}, force, point);
     return {};
 }
@@ -104,13 +126,8 @@ Status BuiltWorld::push(const std::string& body, const Vec3& force, const Vec3& 
 Status BuiltWorld::place(const std::string& name, const Pose& pose) {
     const BuiltRobot* robot = m_objects.findRobot(name);
     if (!robot) return Error{Code::UnknownReference, "there is no robot " + name};
-    if (robot->spec->scenery) return Error{Code::OutOfRange, name + " is scenery, which has its place in the text alone"};
-    if (!isPosition(pose)) return Error{Code::OutOfRange, "a robot's position must be finite and within 100 km"};
     const auto index = static_cast<std::size_t>(robot - m_objects.robots().data());
-    if (hasEnded(*this, index))
-        return Error{Code::OutOfRange, name + " has ended and stays where it is until the run starts again"};
-    if (const std::string& hold = m_joined.hold(index); !hold.empty())
-        return Error{Code::OutOfRange, name + " cannot be placed: " + hold};
+    if (const Status possible = checkPlace(*this, m_joined, index, pose); !possible) return possible;
     const Pose motion = pose * framePose(*robot).inverse();
     for (const std::size_t joined : m_joined.with(index)) m_placed[joined] = motion; // a train stays one
     return {};

@@ -32,6 +32,7 @@ void BuiltWorld::placeRobots() {
         const BuiltRobot& robot = m_objects.robots()[index];
         m_engine->moveActor(robot.handles.actor, motion);
         m_objects.moveWorldJoints(robot, motion);
+        m_regions.placed(index);
     }
     m_placed.clear();
 }

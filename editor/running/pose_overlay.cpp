@@ -11,7 +11,7 @@ namespace trundle {
 namespace {
 
 std::optional<Pose> poseIn(const SignalLayout& layout, const SignalBlock& block, const std::string& owner) {
-    const SignalEntry* entry = layout.find(owner + "/pose");
+    const auto entry = layout.find(owner + "/pose");
     if (!entry || entry->count != 7 || entry->offset + 7 > block.slots().size()) return std::nullopt;
     const double* s = block.slots().data() + entry->offset;
     const Quat rotation(s[3], s[4], s[5], s[6]);
@@ -22,7 +22,7 @@ std::optional<Pose> poseIn(const SignalLayout& layout, const SignalBlock& block,
 
 void put(const SignalLayout& layout, SignalBlock& block, const std::string& owner, const Pose& pose) {
     const auto write = [&](const char* signal, std::initializer_list<double> values) {
-        const SignalEntry* entry = layout.find(owner + signal);
+        const auto entry = layout.find(owner + signal);
         if (!entry || entry->count != values.size()) return;
         std::ranges::copy(values, block.slots().begin() + entry->offset);
     };

@@ -118,7 +118,7 @@ void SensorCard::display(const RunResults& run, bool running) {
     const bool measured = !m_device.hasReading || m_device.hasReading(snapshot);
     for (ReadingRow* row : m_rows) row->take(snapshot, measured);
     if (m_polar) {
-        const SignalEntry* ranges = run.layout->find(m_device.component + "/ranges");
+        const auto ranges = run.layout->find(m_device.component + "/ranges");
         const bool shown = ranges && measured;
         m_polar->setDistances(shown ? snapshot.block->slots().subspan(ranges->offset, ranges->count) : std::span<const double>());
     }

@@ -134,7 +134,7 @@ SensorDevice deviceOf(const RunResults& run, const RobotSpec& robot, const Compo
     }
     device.readings = std::move(list.readings);
     addTrueValues(run, robot, spec, device.readings);
-    if (const SignalEntry* time = run.layout->find(prefix + "time"))
+    if (const auto time = run.layout->find(prefix + "time"))
         device.hasReading = [at = time->offset](const LiveSnapshot& snapshot) { return snapshot.block->slots()[at] >= 0; };
     return device;
 }

@@ -10,7 +10,7 @@ class DeviceMotion {
 public:
     DeviceMotion(const SignalLayout& layout, const RobotSpec& robot, const ComponentSpec& device) {
         const std::string body = robot.name + "/" + device.text("Body") + "/";
-        const SignalEntry *pose = layout.find(body + "pose"), *velocity = layout.find(body + "velocity");
+        const auto pose = layout.find(body + "pose"), velocity = layout.find(body + "velocity");
         if (!pose || !velocity || pose->count != 7 || velocity->count != 6) return;
         m_pose = pose->offset;
         m_velocity = velocity->offset;

@@ -204,6 +204,45 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < wanted.size(); ++i) QVERIFY(std::fabs(map.value()->heights[i] - wanted[i]) < 1e-3);
     }
 
+    /// Heights of a PGM file with more than 8 bits, which are not those of its upper 8; comments and spaces as the format has them.
+    void heightsOf16Bits_data() {
+        QTest::addColumn<QByteArray>("content");
+        QTest::newRow("bytes") << QByteArray("P5\n# of a survey\n3 2 1000\n") +
+                                      QByteArray::fromHex("0000 0001 03e8 00c8 0101 0102");
+        QTest::newRow("text") << QByteArray("P2 3\n2 # points\n1000\n0 1 1000\n200 257\t258 \n");
+    }
+    void heightsOf16Bits() {
+        QFETCH(QByteArray, content);
+        QFile file(m_folder->filePath("deep.pgm"));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(content) == content.size());
+        file.close();
+        const auto map = m_reader->heightMap(file.fileName().toStdString());
+        QVERIFY2(map.ok(), map.ok() ? "" : map.error().message.c_str());
+        QCOMPARE(map.value()->columns, 3u);
+        QCOMPARE(map.value()->rows, 2u);
+        QCOMPARE(map.value()->heights, (std::vector<float>{0, 0.001f, 1, 0.2f, 0.257f, 0.258f}));
+    }
+    void aDamagedPictureOf16Bits_data() {
+        QTest::addColumn<QByteArray>("content");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("cut off") << QByteArray("P5 2 2 65535\n") + QByteArray(7, '\1') << "ends too early";
+        QTest::newRow("cut off text") << QByteArray("P2 2 2 65535\n1 2 3") << "ends too early";
+        QTest::newRow("beyond its white") << QByteArray("P2 2 2 300\n1 2 3 301\n") << "brighter than its white";
+        QTest::newRow("no number") << QByteArray("P2 2 2 300\n1 2 x 301\n") << "damaged";
+        QTest::newRow("huge") << QByteArray("P5 4294967295 4294967295 65535\nab") << "at most 4096 x 4096";
+        QTest::newRow("one column") << QByteArray("P5 1 3 65535\nabcdef") << "at least 2 x 2";
+    }
+    void aDamagedPictureOf16Bits() {
+        QFETCH(QByteArray, content);
+        QFETCH(QString, words);
+        QFile file(m_folder->filePath("damaged.pgm"));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(content) == content.size());
+        file.close();
+        const auto map = m_reader->heightMap(file.fileName().toStdString());
+        QVERIFY(!map.ok());
+        QVERIFY2(QString::fromStdString(map.error().message).contains(words), map.error().message.c_str());
+    }
+
     void keepsColoursOfPictures() {
         QImage picture(3, 2, QImage::Format_RGB32);
         picture.fill(qRgb(10, 20, 30));

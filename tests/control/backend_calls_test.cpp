@@ -66,9 +66,9 @@ struct Stage {
         settings.seed = 7;
         layout.beginRobot(name);
         for (const char* radio : {"near", "far"})
-            layout.add(name + "/" + radio + "/rssi", "dBm", SignalType::Real, SignalDirection::Output, 1);
-        layout.add(name + "/eye/speed", "", SignalType::Real, SignalDirection::Command, 3);
-        layout.add(name + "/pose", "", SignalType::Real, SignalDirection::Truth, 7);
+            layout.add(std::string(radio) + "/rssi", "dBm", SignalType::Real, SignalDirection::Output, 1);
+        layout.add("eye/speed", "", SignalType::Real, SignalDirection::Command, 3);
+        layout.add("pose", "", SignalType::Real, SignalDirection::Truth, 7);
         block = std::make_unique<SignalBlock>(layout);
     }
     ~Stage() { backend.reset(); }

@@ -28,7 +28,7 @@ struct Stage {
         robot.controllers = {{{kind, "brain", std::move(values), {}, {}}, {}}};
         layout.beginRobot(name);
         const auto add = [&](const char* path, SignalDirection direction, std::uint32_t count = 1) {
-            layout.add(name + "/" + path, "", SignalType::Real, direction, count);
+            layout.add(path, "", SignalType::Real, direction, count);
         };
         add("pose", SignalDirection::Truth, 7);
         add("velocity", SignalDirection::Truth, 6);

@@ -13,10 +13,10 @@ struct Pair {
         for (const char* name : {"r0", "r1"}) {
             layout.beginRobot(name);
             const std::string robot = name;
-            layout.add(robot + "/pose", "m", SignalType::Real, SignalDirection::Truth, 7);
-            layout.add(robot + "/base/speed", "m/s", SignalType::Real, SignalDirection::Command, 1);
-            layout.add(robot + "/arm/target", "rad", SignalType::Real, SignalDirection::Command, 2);
-            layout.add(robot + "/brain/best", "", SignalType::Real, SignalDirection::Output, 1);
+            layout.add("pose", "m", SignalType::Real, SignalDirection::Truth, 7);
+            layout.add("base/speed", "m/s", SignalType::Real, SignalDirection::Command, 1);
+            layout.add("arm/target", "rad", SignalType::Real, SignalDirection::Command, 2);
+            layout.add("brain/best", "", SignalType::Real, SignalDirection::Output, 1);
             RobotSpec spec;
             spec.name = name;
             spec.controllers.push_back({{"Kind", "brain", {}, {}, {}}, {}});

@@ -10,8 +10,7 @@ namespace trundle {
 inline void addPublished(const Kind& kind, RobotSpec& robot, SignalLayout& layout) {
     robot.controllers.at(0).published = kind.signals;
     for (const SignalDescription& s : kind.signals)
-        layout.add(robot.name + "/" + robot.controllers[0].name + "/" + s.name, s.unit, SignalType::Real, SignalDirection::Output,
-                   s.count);
+        layout.add(robot.controllers[0].name + "/" + s.name, s.unit, SignalType::Real, SignalDirection::Output, s.count);
 }
 
 } // namespace trundle

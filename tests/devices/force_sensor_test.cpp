@@ -105,6 +105,16 @@ private Q_SLOTS:
         }
     }
 
+    /// The largest reading is the largest multiple of Resolution within Range. The torque is 1.47, -4.41, 0 Nm.
+    void atItsRangeItReadsAMultipleOfItsResolution() {
+        SensorWorld w(scale("Fixed wrist { Parent=stand Child=pan }",
+                            "Joint=wrist Body=stand ForceBias=60,0,-100 Resolution=7,1.5 Range=50,4"));
+        QVERIFY2(w.ok(), w.failure().c_str());
+        QVERIFY(w.run(200));
+        QVERIFY(isNear(w.vector("r/cell/force"), {49, 0, -49}, 1e-12));
+        QVERIFY(isNear(w.vector("r/cell/torque"), {1.5, -3, 0}, 1e-12));
+    }
+
     void aJointThatIsNotThereIsAnErrorOfTheText() {
         SensorWorld w(scale("Fixed wrist { Parent=stand Child=pan }", "Joint=wirst Body=stand"));
         QVERIFY(!w.ok());

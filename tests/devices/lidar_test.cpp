@@ -28,21 +28,26 @@ private Q_SLOTS:
     void aSweepCastsEachBeamFromWhereTheSensorIsThen_data() {
         QTest::addColumn<double>("sweep");
         QTest::addColumn<double>("period");
-        QTest::newRow("all of the period") << 0.1 << 0.1;
-        QTest::newRow("a part of it") << 0.06 << 0.1;
-        QTest::newRow("a period that is no multiple of the tick") << 0.05 << 0.073;
-        QTest::newRow("none") << 0.0 << 0.1;
+        QTest::addColumn<int>("view"); // deg
+        for (const int view : {180, 360}) {
+            QTest::addRow("all of the period, %d deg", view) << 0.1 << 0.1 << view;
+            QTest::addRow("a part of it, %d deg", view) << 0.06 << 0.1 << view;
+            QTest::addRow("a period that is no multiple of the tick, %d deg", view) << 0.05 << 0.073 << view;
+            QTest::addRow("all of such a period, %d deg", view) << 0.073 << 0.073 << view;
+            QTest::addRow("none, %d deg", view) << 0.0 << 0.1 << view;
+        }
     }
-    /// The sensor turns and moves before a wall. Beam i is due i/Beams of the sweep after its begin, and is cast in the tick that ends then
-    /// or first after it.
+    /// The sensor turns and moves before a wall. The first beam is due at the start of the sweep and the last one at its end, in a
+    /// full turn a step before its end; each is cast in the tick that ends then or first after it.
     void aSweepCastsEachBeamFromWhereTheSensorIsThen() {
         QFETCH(double, sweep);
         QFETCH(double, period);
+        QFETCH(int, view);
         const double tick = 0.01;
-        const int beams = 36;
+        const int beams = 36, steps = view == 360 ? beams : beams - 1;
         char fields[200];
-        std::snprintf(fields, sizeof fields, "Beams=%d FieldOfView=180 MaxRange=20 MinRange=0 UpdatePeriod=%g SweepTime=%g",
-                      beams, period, sweep);
+        std::snprintf(fields, sizeof fields, "Beams=%d FieldOfView=%d MaxRange=20 MinRange=0 UpdatePeriod=%g SweepTime=%g", beams,
+                      view, period, sweep);
         SensorWorld w(floating("Lidar scan { Body=base " + std::string(fields) + " }", "Plane wall { HPR=0,-90,0 Pos=3,0,0 }"));
         QVERIFY2(w.ok(), w.failure().c_str());
         QVERIFY(w.world().push("r/base", {0, 20, 0}, {0.01, 0, 0}).ok());
@@ -60,9 +65,9 @@ private Q_SLOTS:
             ++readings;
             const auto ranges = w.values("r/scan/ranges");
             for (int i = 0; i < beams; ++i) {
-                const double at = sweep > tick ? due - sweep * (1 - (i + 1.0) / beams) : read;
+                const double at = sweep > tick ? due - sweep * (1 - double(i) / steps) : read;
                 const auto when = std::min<std::size_t>(eyes.size() - 1, std::size_t(std::ceil(at / tick - 1e-4)));
-                const double bearing = (-90 + 180.0 * i / (beams - 1)) * kPi / 180;
+                const double bearing = view * (-0.5 + double(i) / steps) * kPi / 180;
                 const Vec3 along = eyes[when].rotation * Vec3(std::cos(bearing), std::sin(bearing), 0);
                 const double expected = along.x() > 0 ? std::min(20., (3 - eyes[when].position.x()) / along.x()) : 20;
                 QVERIFY2(
@@ -72,6 +77,27 @@ private Q_SLOTS:
         }
         QVERIFY(readings > 5);
         QVERIFY((eyes.back().rotation.angularDistance(Quat::Identity()) > 0.5)); // bent walls are something else here
+    }
+
+    /// It drives at 1 m/s towards a wall and sweeps for 1 s: the first beam measures 1 m more than the last one, which is cast at
+    /// the time of the reading.
+    void aSweepIsAsLongAsItSays() {
+        std::string lidars;
+        for (const int beams : {1, 2, 5, 101})
+            lidars += "Lidar l" + std::to_string(beams) + " { Body=base Beams=" + std::to_string(beams) +
+                      " FieldOfView=0.001 SweepTime=1 UpdatePeriod=1 MaxRange=50 MinRange=0 }\n";
+        SensorWorld w(floating(lidars, "Plane wall { HPR=0,-90,0 Pos=20,0,0 }"));
+        QVERIFY2(w.ok(), w.failure().c_str());
+        QVERIFY(w.world().push("r/base", {100, 0, 0}, {0, 0, 0}).ok());
+        QVERIFY(w.run(300));
+        const double x = w.pose("r/base").position.x();
+        QVERIFY(std::abs(w.value("r/base/velocity") - 1) < 1e-9);
+        for (const int beams : {1, 2, 5, 101}) {
+            const auto ranges = w.values("r/l" + std::to_string(beams) + "/ranges");
+            QVERIFY(std::abs(ranges.back() - (20 - x)) < 1e-6);
+            const double nearer = ranges.front() - ranges.back();
+            QVERIFY2(std::abs(nearer - (beams > 1 ? 1 : 0)) < 1e-6, qPrintable(QString::number(nearer)));
+        }
     }
 
     void aSweepIsNoLongerThanThePeriod() {

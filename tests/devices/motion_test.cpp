@@ -211,6 +211,18 @@ private Q_SLOTS:
         QVERIFY(std::abs(angle / w.value("r/axle/position") - 1) < 1e-6);
     }
 
+    /// The largest reading is the largest multiple of Resolution within Range.
+    void anImuAtItsRangeReadsAMultipleOfItsResolution() {
+        SensorWorld w(carried("Imu imu { Body=base GyroscopeBias=9,0.3,-9 AccelerometerBias=25,2,-25 Range=1.1,20 "
+                              "Resolution=0.4,3 }",
+                              "", "Tick=0.01 Gravity=0,0,0"));
+        QVERIFY2(w.ok(), w.failure().c_str());
+        QVERIFY(w.run(2));
+        const Vec3 turning = w.vector("r/imu/angularVelocity"), acceleration = w.vector("r/imu/acceleration");
+        QVERIFY2(isNear(turning, {0.8, 0.4, -0.8}, 1e-12), shown(turning));
+        QVERIFY2(isNear(acceleration, {18, 3, -18}, 1e-12), shown(acceleration));
+    }
+
     void anImuErrsAsItsFieldsSay() {
         const std::string text = carried(
             "Imu a { Body=base Noise=0.02,0.3 GyroscopeBias=0.1,0.2,0.3 AccelerometerBias=1,2,3 ScaleError=0,0.01 }\n"

@@ -106,6 +106,23 @@ private Q_SLOTS:
         QVERIFY(std::abs(robot.signal("motor/terminalVoltage")[0] - 30 * 5 * .03) < 1e-3); // without load: the back EMF
     }
 
+    /// At any tick: I = V / R (1 - exp(-t R / L)), of a joint that is held.
+    void theCurrentOfACoilIsExact_data() {
+        QTest::addColumn<double>("tick");
+        for (const double tick : {.001, .005, .01, .02, .03}) QTest::addRow("%g ms", 1e3 * tick) << tick;
+    }
+    void theCurrentOfACoilIsExact() {
+        QFETCH(double, tick);
+        BenchRobot robot(tick);
+        robot.joint("axle").inertia = 1e12;
+        addMotor(robot, "motor", "axle").numbers["Inductance"] = {.4}; // L / R = 0.2 s
+        QCOMPARE(robot.setup(), std::string());
+        robot.signal("motor/voltage")[0] = 10;
+        for (int i = 1; i <= 20; ++i) {
+            robot.tick();
+            QVERIFY(std::abs(robot.signal("motor/current")[0] - 5 * (1 - std::exp(-i * tick / .2))) < 1e-6);
+        }
+    }
     void inductanceDelaysTheCurrent() {
         BenchRobot robot(1e-5);
         robot.joint("axle").inertia = 1e9;                              // held

@@ -44,7 +44,7 @@ public:
     }
     [[nodiscard]] double time() { return world().time(); }
     [[nodiscard]] std::span<const double> values(const std::string& path) {
-        const SignalEntry* entry = world().layout().find(path);
+        const auto entry = world().layout().find(path);
         return entry ? world().block().slots().subspan(entry->offset, entry->count) : std::span<const double>();
     }
     [[nodiscard]] double value(const std::string& path, std::size_t element = 0) {

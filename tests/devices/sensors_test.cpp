@@ -150,6 +150,49 @@ private Q_SLOTS:
                  encoderCount(robot.joint("axle").position, 400)); // all backwards
     }
 
+    void itsFrequencyIsThatAtAnyTick_data() {
+        QTest::addColumn<double>("tick");
+        QTest::addColumn<double>("lines"); // per second
+        for (const double tick : {.1, .05, .02, .01, .004, .001})
+            for (const double lines : {12.7, 19.99, 20.69, 31.83, 41., 450.})
+                QTest::addRow("%g lines/s at %g ms", lines, 1e3 * tick) << tick << lines;
+    }
+    /// Of 20 lines per second it counts all that are slower, from the first one on, and 20 of those that are faster.
+    void itsFrequencyIsThatAtAnyTick() {
+        QFETCH(double, tick);
+        QFETCH(double, lines);
+        for (const bool quadrature : {false, true}) {
+            BenchRobot robot(tick);
+            BenchDevice& encoder = addEncoder(robot, 100);
+            encoder.numbers["Quadrature"] = {double(quadrature)};
+            encoder.numbers["MaxFrequency"] = {20};
+            QCOMPARE(robot.setup(), std::string());
+            robot.joint("axle").rate = -lines / 100 * kTurn; // the first edge is the one that it leaves at once
+            robot.run(60);
+            const double counted = -robot.signal("encoder/count")[0], missed = robot.signal("encoder/missed")[0];
+            const double expected = 60 * std::min(lines, 20.) * (quadrature ? 4 : 1);
+            QVERIFY2(std::abs(counted / expected - 1) < .01, qPrintable(QString("%1, not %2").arg(counted).arg(expected)));
+            QCOMPARE(counted + missed, -encoderCount(robot.joint("axle").position, quadrature ? 400 : 100));
+            if (lines < 20) QCOMPARE(missed, 0.);
+        }
+    }
+
+    /// Bursts of 50 lines in 50 ms, each after a rest, of an encoder that counts 20 in a second.
+    void aBurstIsCountedUpToTheFrequency() {
+        BenchRobot robot(.001);
+        addEncoder(robot, 100).numbers["MaxFrequency"] = {20};
+        QCOMPARE(robot.setup(), std::string());
+        for (int burst = 0; burst < 5; ++burst) {
+            robot.joint("axle").rate = 0;
+            robot.run(3);
+            const double before = robot.signal("encoder/count")[0];
+            robot.joint("axle").rate = 10 * kTurn;
+            robot.run(.05);
+            const double counted = robot.signal("encoder/count")[0] - before;
+            QVERIFY2(counted == 1 || counted == 2, qPrintable(QString::number(counted)));
+        }
+    }
+
     void anAbsoluteEncoderWraps() {
         BenchRobot robot(.01);
         BenchDevice& encoder = addEncoder(robot, 360);

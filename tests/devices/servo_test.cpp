@@ -90,7 +90,7 @@ private Q_SLOTS:
         SensorWorld w(text);
         QVERIFY2(w.ok(), w.failure().c_str());
         const SignalLayout& layout = w.world().layout();
-        const SignalEntry* entry = layout.find(signal);
+        const auto entry = layout.find(signal);
         QVERIFY(entry);
         QCOMPARE(entry->unit, unit);
         QCOMPARE(SignalColumns(*entry).names(), std::vector<std::string>{signal + (column.empty() ? "" : " [" + column + "]")});

@@ -196,8 +196,13 @@ private Q_SLOTS:
             QVERIFY2(outcome.err.contains("research_base.sim:") && outcome.err.contains("the Slider rail"), shown(outcome));
             QVERIFY2(outcome.err.contains(name), shown(outcome));
         }
-        QCOMPARE(run("collect.sim", "auto", "0.1")["engine"].toString(), "general");
-        QCOMPARE(run("swarm.sim", "auto", "0.1")["engine"].toString(), "wheeled");
+        const QJsonObject chosen = run("collect.sim", "auto", "0.1"), fitting = run("swarm.sim", "auto", "0.1");
+        QCOMPARE(chosen["engine"].toString(), "general");
+        QVERIFY2(chosen["engine_reason"].toString().contains("the Slider rail"), qPrintable(chosen["engine_reason"].toString()));
+        QCOMPARE(fitting["engine"].toString(), "wheeled");
+        QVERIFY(!fitting.contains("engine_reason"));
+        const Outcome summary = cli({"run", file, "--set", "Engine=auto", "--duration", "0.1", "--log-dir", m_folder.path()});
+        QVERIFY2(summary.out.contains("engine      general") && summary.out.contains("not wheeled: "), shown(summary));
     }
 
     /// What only the general engine has: auto takes that one, and the others name the place.

@@ -313,6 +313,28 @@ private Q_SLOTS:
         QCOMPARE(w.value("goal/left"), 1.0);
     }
 
+    /// A robot that is outside at both ends of a tick has entered and left where its way leads through, but not where it is placed.
+    void regionCountsWhoPassesWithinATick() {
+        SensorWorld w("Gravity=0,0,0\nTick=0.01\n" + kBlock +
+                      "RobotConfig Drop { Body b { Sphere s { Radius=0.05 Mass=1 } } }\nRobot quick { Config=Drop Pos=0.1,0,1 }\n"
+                      "Region thin { Pos=1,0,1 HPR=0,20,0 Size=0.05,1,1 }\nRegion beside { Pos=1,1,1 Size=0.05,1,1 }\n"
+                      "Region wide { Pos=3,0,1 Size=1,1,1 }\nRegion behind { Pos=8,0,1 Size=0.05,1,1 }\n");
+        QVERIFY2(w.ok(), w.failure().c_str());
+        QVERIFY(w.world().push("quick/b", {2000, 0, 0}, {0.1, 0, 1}).ok()); // 20 m/s
+        QVERIFY(w.run(25));
+        QVERIFY(w.pose("quick").position.x() > 4);
+        for (const std::string passed : {"thin", "wide"})
+            QVERIFY2(w.value(passed + "/entered") == 1 && w.value(passed + "/left") == 1 && w.value(passed + "/count") == 0,
+                     passed.c_str());
+        QCOMPARE(w.value("beside/entered"), 0.0);
+        QVERIFY(w.world().place("quick", {Vec3(10, 0, 1), Quat::Identity()}).ok());
+        QVERIFY(w.run(5));
+        QCOMPARE(w.value("behind/entered"), 0.0);
+        QVERIFY(w.world().push("quick/b", {-2000, 0, 0}, {10, 0, 1}).ok());
+        QVERIFY(w.run(15));
+        QCOMPARE(w.value("behind/entered"), 1.0);
+    }
+
     void regionIsInLogsAndConsole() {
         QTemporaryDir folder;
         const std::string all = "Duration=1\n" + kBlock +

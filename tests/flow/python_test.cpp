@@ -277,6 +277,17 @@ private Q_SLOTS:
         QCOMPARE(signal["brain/turns"].toInt(), 50);
         QCOMPARE(signal["brain/goal"].toArray(), (QJsonArray{0.49, -1.0}));
     }
+    void aPublishedWholeNumberIsOne() {
+        for (const QByteArray value : {"2.7", "float('nan')"}) {
+            const Outcome outcome = run(withModule("import trundle\nclass Mine(trundle.Controller):\n"
+                                                   "    turns = trundle.output('turns', '', 'x', type=int)\n"
+                                                   "    def update(self, t):\n        self.turns = 2.0\n        self.turns = " +
+                                                   value + "\n"),
+                                        {"--modules", m_folder.path()});
+            QVERIFY2((outcome.out + outcome.err).contains("ValueError: an output of type int takes whole numbers, not "),
+                     shown(outcome));
+        }
+    }
 };
 
 void PythonTest::everyFaultStaysInItsProcess_data() {

@@ -44,7 +44,7 @@ class SnakeHalf(trundle.Controller):
 
 double commanded(Runner& runner, const std::string& path) {
     const World& world = runner.world();
-    const SignalEntry* entry = world.layout().find(path);
+    const auto entry = world.layout().find(path);
     return entry ? world.block().slots()[entry->offset] : -1;
 }
 

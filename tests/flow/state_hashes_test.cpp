@@ -70,7 +70,7 @@ const World kWorlds[] = {
      "  Gripper hand { Left=openLeft Right=openRight Force=10 }\n}\n"
      "RobotConfig Load { Body body { Box box { Size=0.04,0.1,0.06 Mass=0.5 Surface=rubber } } }\n"
      "Robot crane { Config=Crane }\nRobot load { Config=Load Pos=0.005,0.004,0.03 HPR=3,0,0 }\n",
-     "3", "c2b4be02da0f96c9"},
+     "3", "a80dace4cb3a2dbe"},
     {"robots that crowd", nullptr, "Grid g { Config=SimpleRobot Count=6,5 Spacing=0.5 RandomDrive b { Speed=0.6 TurnRate=2 } }\n",
      "8", "cf91192eb18b0214"},
     {"robots that crowd, a crate and a ball, on wheels", nullptr,
@@ -78,17 +78,17 @@ const World kWorlds[] = {
      "RobotConfig Ball { Body b { Sphere g { Radius=0.05 Mass=0.2 Surface=rubber Material=red } } }\n"
      "Grid g { Config=SimpleRobot Count=6,5 Spacing=0.5 RandomDrive b { Speed=0.6 TurnRate=2 } }\n"
      "Robot crate { Config=Crate Pos=0.25,0.25,0.04 }\nRobot ball { Config=Ball Pos=-0.25,0.25,0.05 }\n",
-     "8", "03b3e4af5f4d0125"},
+     "8", "3d063b89e37f444f"},
     {"quick solver, long ticks", nullptr,
      "Solver=quick Tick=0.03\nGrid g { Config=SimpleRobot Count=3,3 Spacing=0.6 RandomDrive b {} }\nRobot e { Config=EvBot "
      "Pos=1.4,1.4,0 BumpAndTurn b {} }\n",
-     "6", "da5d5587f812fea3"},
+     "6", "b86c7ca33bd9dc39"},
     {"a pile, chains, a hull", nullptr,
      "Grid a { Config=Crate Count=3,3 Spacing=0.11 Pos=0,0,0.1 }\nGrid b { Config=Ball Count=3,3 Spacing=0.12 Pos=0.02,0,0.4 }\n"
      "Grid c { Config=Can Count=3,3 Spacing=0.1 Pos=0,0.03,0.6 HPR=0,50,20 }\n"
      "Grid d { Config=Chain Count=2,2 Spacing=0.8,0.4 Pos=0,1,0.5 HPR=20,30,0 }\nRobot w { Config=Wedge Pos=-1,-1,0.5 "
      "HPR=30,40,50 }\n",
-     "2", "358a0f9dc86a5d8a"},
+     "2", "21ed05ebf8b69b7a"},
     {"springs and stops", nullptr,
      "RobotConfig Cart { Body hull { Pos=0,0,0.25 Box g { Size=0.5,0.3,0.1 Mass=4 Surface=plastic Material=red } }\n"
      "  Repeat corner { Count=2,2 Pos=$(0.4*index - 0.2),$(0.36*index2 - 0.18),0 Body wheel { Pos=0,0,0.1 Cylinder tyre { "

@@ -75,9 +75,10 @@ QString IncludeRules::linkViolation(const QString& folder, const QString& librar
 
 QString libraryOf(const QString& header) {
     static const QRegularExpression qt("^Q[A-Z]\\w*|^Qt\\w+(/.*)?$");
-    static const QRegularExpression cHeader("^(sys/.+|linux/.+|netinet/.+|arpa/"
-                                            ".+|unistd\\.h|semaphore\\.h|fcntl\\.h|dlfcn\\.h|execinfo\\.h|poll\\.h|signal\\.h|"
-                                            "pthread\\.h|sched\\.h|spawn\\.h|elf\\.h|link\\.h|termios\\.h|dirent\\.h|pwd\\.h)$");
+    static const QRegularExpression cHeader(
+        "^(sys/.+|linux/.+|netinet/.+|arpa/"
+        ".+|malloc\\.h|unistd\\.h|semaphore\\.h|fcntl\\.h|dlfcn\\.h|execinfo\\.h|poll\\.h|signal\\.h|"
+        "pthread\\.h|sched\\.h|spawn\\.h|elf\\.h|link\\.h|termios\\.h|dirent\\.h|pwd\\.h)$");
     if (header.startsWith("trundle/")) return "sdk";
     if (header.startsWith("Eigen/")) return "eigen";
     if (header.startsWith("ode/")) return "ode";

@@ -71,6 +71,16 @@ std::string shown(const std::vector<Item>& items) {
 class ParserTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    /// A whole number is not rounded down to the largest one that a property may have.
+    void largestWholeNumber() {
+        const auto number = [](const char* text) {
+            return parsed(text)->items().at(0).as<AssignmentItem>()->value.elements.at(0).number;
+        };
+        QCOMPARE(number("x = 9007199254740992\n"), 9007199254740992.0);
+        QVERIFY(number("x = 9007199254740993\n") > 9007199254740992.0);
+        QVERIFY(number("x = -9007199254740993\n") < -9007199254740992.0);
+    }
+
     void sound_data() {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QByteArray>("tree");

@@ -107,6 +107,19 @@ private Q_SLOTS:
         }
     }
 
+    /// What is not quoted may be a list, but not where a text is.
+    void aTextIsNotOfferedAsAList() {
+        const auto titles = [](const char* text) {
+            std::vector<std::string> all;
+            const auto tree = parsed(text);
+            for (const Fix& fix : tree->diagnostics().at(0).fixes) all.push_back(fix.title);
+            return all;
+        };
+        QCOMPARE(titles("Title = abc def\n"), std::vector<std::string>{"\"abc def\""});
+        QCOMPARE(titles("Title = say \"hi\"\n"), std::vector<std::string>());
+        QCOMPARE(titles("Motors = abc def\n"), (std::vector<std::string>{"abc, def", "\"abc def\""}));
+    }
+
     /// Words for numbers that are not finite, with either sign and without.
     void numbersAreFinite() {
         for (const char* word : {"inf", "INF", "infinity", "Infinity", "nan", "NaN"})

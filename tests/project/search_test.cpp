@@ -85,6 +85,18 @@ private Q_SLOTS:
         QCOMPARE(loaded->diagnostics.all().at(0).fixes.at(0).title, std::string("arm.sim"));
     }
 
+    /// A file is not offered where it would import itself.
+    void aMissingImportIsNotTheFileItself() {
+        sample::ProjectFixture fixture;
+        fixture.write("mait.sim", "#import maip.sim\n");
+        const auto loaded = fixture.open("#import mair.sim\n#import mait.sim\n");
+        std::vector<Diagnostic> all = loaded->diagnostics.all();
+        std::erase_if(all, [](const Diagnostic& each) { return each.code != Code::ImportNotFound; });
+        QCOMPARE(all.size(), std::size_t(2));
+        QCOMPARE(all[0].suggestions, std::vector<std::string>{"mait.sim"}); // not main.sim
+        QVERIFY(all[1].suggestions.empty() && all[1].fixes.empty());        // both import it
+    }
+
     /// Where texts name a file: in properties that are files, also by override, and in the Params that these have, through others;
     /// whole values, not parts of them.
     void namesOfFilesInTexts() {

@@ -168,6 +168,38 @@ private Q_SLOTS:
         QVERIFY(isConserved(medium));
     }
 
+    /// Every 256th packet has the same sequence number, and only these are for b.
+    void aRepeatedSequenceNumberIsNoDuplicate() {
+        Medium medium(csma());
+        const RadioId a = open(medium, "a", {0, 0, 0}), b = open(medium, "b", {5, 0, 0}), c = open(medium, "c", {5, 1, 0});
+        RadioPacket packet;
+        std::vector<int> received;
+        for (int i = 0; i <= 5 * 256; ++i) {
+            QVERIFY(send(medium, a, 1, medium.radio(i % 256 == 0 ? b : c).address));
+            medium.advance((i + 1) * 10000);
+            while (medium.receive(c, packet)) {}
+            while (medium.receive(b, packet)) received.push_back(packet.sequence);
+        }
+        QCOMPARE(received, std::vector<int>(6, 0));
+        QCOMPARE(count(medium, ReceptionOutcome::Duplicate), std::uint64_t{0});
+        QVERIFY(medium.counts(a).acknowledged == 1281 && isConserved(medium));
+    }
+
+    /// Two senders with one address: the packet of the one is no duplicate of the other's.
+    void aSharedAddressMakesNoDuplicates() {
+        Medium medium(csma());
+        RadioDefinition first = radioNamed("a"), second = radioNamed("b");
+        first.address = second.address = 900;
+        const RadioId sink = open(medium, "sink", {0, 0, 0});
+        const RadioId a = open(medium, first, {1, 0, 0}), b = open(medium, second, {-1, 0, 0});
+        QVERIFY(send(medium, a, 4, medium.radio(sink).address));
+        medium.advance(100000);
+        QVERIFY(send(medium, b, 9, medium.radio(sink).address)); // the first of each has the sequence number 0
+        medium.advance(200000);
+        QCOMPARE(medium.pending(sink), std::size_t{2});
+        QCOMPARE(count(medium, ReceptionOutcome::Duplicate), std::uint64_t{0});
+    }
+
     /// What found no room is no duplicate when it is sent again.
     void aRepetitionAfterAFullBufferArrives() {
         Medium medium(csma());

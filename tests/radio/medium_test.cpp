@@ -71,6 +71,19 @@ private Q_SLOTS:
         QCOMPARE(medium.counts(b).received, 1u);
     }
 
+    /// A time is the number nearest to its microseconds, which is printed with few digits.
+    void timesAreWholeMicroseconds() {
+        Medium medium({});
+        const RadioId a = open(medium, "a", {0, 0, 0}), b = open(medium, "b", {0, 10, 0});
+        const std::shared_ptr<RadioTrace> trace = medium.trace();
+        medium.advance(50'000);
+        QVERIFY(send(medium, a, 2));
+        medium.advance(60'000);
+        RadioPacket packet;
+        QVERIFY(medium.receive(b, packet));
+        QVERIFY(packet.time == 0.050608 && trace->records.at(0).time == 0.05 && trace->frames.at(0).time == 0.05);
+    }
+
     void readingsAreSteppedAndClipped() {
         Medium medium({});
         const RadioId a = open(medium, "a", {0, 0, 0});
@@ -87,6 +100,25 @@ private Q_SLOTS:
             QCOMPARE(packet.rssi, stepped);
             QVERIFY(medium.receive(far, packet));
             QVERIFY(std::abs(packet.rssi - (power - 54.2105)) < 1e-4);
+        }
+    }
+
+    /// Nor rounded above its limit: of -40.2 dBm, and of -52 dBm, a radio with steps of 7 dB up to -52 dBm reads -56.
+    void readingsEndBelowTheirLimit() {
+        Medium medium({});
+        RadioDefinition d = radioNamed("b");
+        d.rssiStep = 7;
+        d.maxReceivePower = -52;
+        const RadioId a = open(medium, "a", {0, 0, 0}), b = open(medium, d, {1, 0, 0});
+        const std::shared_ptr<RadioTrace> trace = medium.trace();
+        RadioPacket packet;
+        std::int64_t now = 0;
+        for (const auto& [power, stepped] : {std::pair{0., -56.}, {-11.8, -56.}, {-19.4, -63.}}) {
+            send(medium, a, 1, kBroadcastAddress, power);
+            medium.advance(now += 1000);
+            QVERIFY(medium.receive(b, packet));
+            QCOMPARE(packet.rssi, stepped);
+            QCOMPARE(trace->records.back().rssi, stepped);
         }
     }
 

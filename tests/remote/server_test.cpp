@@ -340,6 +340,31 @@ private Q_SLOTS:
         m_loaded = others;
     }
 
+    /// A request that the run would refuse in the coming tick is refused at once, and a robot that has ended is in the status.
+    void whatTheRunWouldRefuseIsRefusedAtOnce() {
+        Peer peer = connect();
+        const auto place = [&](double x) -> Json {
+            return call(peer, {{"op", "place"}, {"robot", "r"}, {"position", {x, 0, 0}}});
+        };
+        const auto push = [&](double force) -> Json {
+            return call(peer, {{"op", "push"}, {"body", "r/chassis"}, {"force", {0, 0, force}}, {"point", {0, 0, 0.1}}});
+        };
+        QCOMPARE(place(1e9)["message"], Json("a robot's position must be finite and within 100 km"));
+        QCOMPARE(push(2e9)["message"], Json("a push needs a finite force of at most 1e9 N"));
+        QCOMPARE(call(peer, {{"op", "status"}})["ended"], Json::array());
+        QCOMPARE(push(9e8)["ok"], Json(true));
+        QCOMPARE(call(peer, {{"op", "step"}, {"ticks", 3}})["tick"], Json(3)); // the other robot continues
+        const Json ended = call(peer, {{"op", "status"}})["ended"];
+        QCOMPARE(ended.size(), std::size_t(1));
+        QCOMPARE(ended[0]["robot"], Json("r"));
+        QVERIFY2(ended[0]["body"].is_string() && ended[0]["time"].is_number() && ended[0]["reason"].is_string(),
+                 ended.dump().c_str());
+        for (const Json& refused : {place(0), push(1)}) {
+            QCOMPARE(refused["error"], Json("refused"));
+            QCOMPARE(refused["message"], Json("r has ended and stays where it is until the run starts again"));
+        }
+    }
+
     /// Also those on one body and of several clients, in the order in which they came, once each.
     void allPushesOfATickAct() {
         Peer one = connect(), other = connect();

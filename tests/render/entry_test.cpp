@@ -78,7 +78,7 @@ private Q_SLOTS:
         SignalLayout layout;
         layout.beginRobot("robot0");
         for (const char* body : {"chassis", "leftWheel", "rightWheel"})
-            layout.add(std::string("robot0/") + body + "/pose", "m", SignalType::Real, SignalDirection::Truth, 7);
+            layout.add(std::string(body) + "/pose", "m", SignalType::Real, SignalDirection::Truth, 7);
         SignalBlock block(layout);
         const auto put = [&](double x) {
             for (const SignalEntry& entry : layout.entries())

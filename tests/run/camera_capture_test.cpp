@@ -31,9 +31,9 @@ class BlockWorld final : public World {
 public:
     BlockWorld() : m_experiment(robotWithCameras()) {
         m_layout.beginRobot("robot0");
-        m_layout.add("robot0/place", "m", SignalType::Real, SignalDirection::Truth);
-        m_layout.add("robot0/still/frame", "", SignalType::Integer, SignalDirection::Output); // not used: it has no period
-        m_frame = m_layout.add("robot0/stream/frame", "", SignalType::Integer, SignalDirection::Output);
+        m_layout.add("place", "m", SignalType::Real, SignalDirection::Truth);
+        m_layout.add("still/frame", "", SignalType::Integer, SignalDirection::Output); // not used: it has no period
+        m_frame = m_layout.add("stream/frame", "", SignalType::Integer, SignalDirection::Output);
         m_block = std::make_unique<SignalBlock>(m_layout);
     }
     const ExperimentSpec& experiment() const override { return *m_experiment; }

@@ -58,10 +58,10 @@ private:
         SignalLayout layout;
         for (const RobotSpec& robot : experiment.robots) {
             layout.beginRobot(robot.name);
-            layout.add(robot.name + "/pose", "", SignalType::Real, SignalDirection::Truth, 7);
-            layout.add(robot.name + "/arm/position", "rad", SignalType::Real, SignalDirection::Truth);
-            layout.add(robot.name + "/base/linearVelocity", "m/s", SignalType::Real, SignalDirection::Command);
-            layout.add(robot.name + "/touch/pressed", "", SignalType::Boolean, SignalDirection::Output);
+            layout.add("pose", "m", SignalType::Real, SignalDirection::Truth, 7);
+            layout.add("arm/position", "rad", SignalType::Real, SignalDirection::Truth);
+            layout.add("base/linearVelocity", "m/s", SignalType::Real, SignalDirection::Command);
+            layout.add("touch/pressed", "", SignalType::Boolean, SignalDirection::Output);
         }
         return layout;
     }

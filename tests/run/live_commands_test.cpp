@@ -38,7 +38,7 @@ private Q_SLOTS:
         QCOMPARE(live.commands().size(), std::size_t(4));
         const auto shot = live.snapshot();
         const auto layout = live.layout();
-        const SignalEntry *left = layout->find("r/leftMotor/command"), *right = layout->find("r/rightMotor/command");
+        const auto left = layout->find("r/leftMotor/command"), right = layout->find("r/rightMotor/command");
         QVERIFY(left && right);
         const auto slots = shot->block->slots();
         QCOMPARE(slots[left->offset], -2.);

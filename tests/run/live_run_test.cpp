@@ -227,7 +227,7 @@ private Q_SLOTS:
         for (const Command& command : commands) QCOMPARE(command.tick, 2u);
         QCOMPARE(std::get<PlaceCommand>(commands[0].what).robot, std::string("robot1"));
         QCOMPARE(std::get<PlaceCommand>(commands[1].what).pose.position.x(), 2.0); // in the order in which they were given last
-        const SignalEntry* entry = run.layout()->find("robot0/base/linearVelocity");
+        const auto entry = run.layout()->find("robot0/base/linearVelocity");
         QCOMPARE(run.snapshot()->block->slots()[entry->offset], 0.5);
     }
 

@@ -50,14 +50,14 @@ struct Bench {
         robot.controllers = {{{"Driver", "brain", {}, {}, {}}, {}}};
         experiment->robots = {robot};
         (void)planRobot(*layout, experiment->robots[0]);
-        layout->add(name + "/motor/voltage", "V", SignalType::Real, SignalDirection::Command);
-        layout->add(name + "/motor/current", "A", SignalType::Real, SignalDirection::Output);
-        layout->add(name + "/motor/count", "", SignalType::Integer, SignalDirection::Output);
-        layout->add(name + "/motor/hot", "", SignalType::Boolean, SignalDirection::Output);
-        layout->add(name + "/motor/ranges", "m", SignalType::Real, SignalDirection::Output, 360);
-        layout->add(name + "/motor/six", "m", SignalType::Real, SignalDirection::Output, 6); // the most that is shown whole
-        layout->add(name + "/motor/odometry", "", SignalType::Real, SignalDirection::Output, 3);
-        layout->add(name + "/brain/charge", "J", SignalType::Real, SignalDirection::Output);
+        layout->add("motor/voltage", "V", SignalType::Real, SignalDirection::Command);
+        layout->add("motor/current", "A", SignalType::Real, SignalDirection::Output);
+        layout->add("motor/count", "", SignalType::Integer, SignalDirection::Output);
+        layout->add("motor/hot", "", SignalType::Boolean, SignalDirection::Output);
+        layout->add("motor/ranges", "m", SignalType::Real, SignalDirection::Output, 360);
+        layout->add("motor/six", "m", SignalType::Real, SignalDirection::Output, 6); // the most that is shown whole
+        layout->add("motor/odometry", "", SignalType::Real, SignalDirection::Output, 3);
+        layout->add("brain/charge", "J", SignalType::Real, SignalDirection::Output);
         if (!registry->add(motorKind())) qFatal("no kind");
         block = std::make_shared<SignalBlock>(*layout);
         for (const char* path : {"/pose", "/chassis/pose", "/wheel/pose"}) set((name + path).c_str(), 1, 3);
@@ -119,9 +119,11 @@ private Q_SLOTS:
         QVERIFY(b.registry->add(region));
         for (const char* name : {"goal", "lane_1.goal"}) {
             b.experiment->regions.emplace_back().name = name;
-            b.layout->add(name + std::string("/count"), "", SignalType::Integer, SignalDirection::Output);
+            b.layout->beginRobot(name);
+            b.layout->add("count", "", SignalType::Integer, SignalDirection::Output);
         }
-        b.layout->add("lane_1.hitch/position", "rad", SignalType::Real, SignalDirection::Output);
+        b.layout->beginRobot("lane_1.hitch");
+        b.layout->add("position", "rad", SignalType::Real, SignalDirection::Output);
         b.block = std::make_shared<SignalBlock>(*b.layout);
         b.set("goal/count", 1);
         b.set("lane_1.goal/count", 2);

@@ -4,6 +4,7 @@
 #include "run/fake_world.h"
 #include "run/logs/log_choice.h"
 #include "run/logs/log_kinds.h"
+#include "run/logs/signal_columns.h"
 
 using namespace trundle;
 
@@ -70,6 +71,23 @@ private Q_SLOTS:
         QCOMPARE(diagnostics.all().at(1).message, // they have names of their own
                  std::string("no robot is called 'cart_2'; there are cart_0, cart_1, row.cart"));
     }
+    /// The table names pictures that are beside it.
+    void picturesOfATableInAFolder() {
+        FakeWorld world(experimentOf({"robot0"}));
+        for (const auto& [table, folder] : {std::pair("sub/deep/f.csv", "sub/deep/"), {"f.csv", ""}}) {
+            Diagnostics diagnostics;
+            const auto log = makeLog(logSpec("FrameLog", "film", {{"File", textValue({table})}}), world, diagnostics);
+            std::vector<std::string> saved;
+            log->usePictures([&](const PictureOptions&, const std::string& name) {
+                saved.push_back(name);
+                return Result<double>(0.25);
+            });
+            std::string csv;
+            log->rows(world, 0.5, csv);
+            QCOMPARE(csv, std::string("0.25,film_000000.jpg\n"));
+            QCOMPARE(saved, std::vector<std::string>{std::string(folder) + "film_000000.jpg"});
+        }
+    }
     void anEnergyLog() {
         FakeWorld world(experimentOf({"robot0"}));
         QCOMPARE(csvOf(world, logSpec("EnergyLog", "e", {})),
@@ -106,6 +124,40 @@ private Q_SLOTS:
                  std::string("time [s],robot0/arm/position [deg],robot0/pose/x [m],robot0/pose/y [m],robot0/pose/z "
                              "[m],robot0/pose/heading [deg],"
                              "robot0/pose/pitch [deg],robot0/pose/roll [deg]\n0.5,90,4,0,0,0,0,0\n"));
+    }
+    /// The columns of those that Trundle defines; a controller's own output with such a name has what it declares.
+    void shapesOfSignals_data() {
+        QTest::addColumn<std::string>("path");
+        QTest::addColumn<std::string>("unit");
+        QTest::addColumn<std::uint32_t>("count");
+        QTest::addColumn<SignalDirection>("direction");
+        QTest::addColumn<std::string>("last");
+        const auto row = [](const char* name, const char* path, const char* unit, std::uint32_t count, SignalDirection direction,
+                            const char* last) {
+            QTest::newRow(name) << std::string(path) << std::string(unit) << count << direction << std::string(last);
+        };
+        constexpr auto kTruth = SignalDirection::Truth, kOutput = SignalDirection::Output;
+        row("pose of a body", "r/b/pose", "m", 7, kTruth, "r/b/pose/roll [deg]");
+        row("velocity of a robot", "r/velocity", "m/s", 6, kTruth, "r/velocity/z [rad/s]");
+        row("pose of a drive", "r/base/pose", "", 3, kTruth, "r/base/pose/heading [deg]");
+        row("odometry of a drive", "r/base/odometry", "", 3, kOutput, "r/base/odometry/heading [deg]");
+        row("own pose", "r/c/pose", "m", 3, kOutput, "r/c/pose/2 [m]");
+        row("own pose of seven numbers", "r/c/pose", "m", 7, kOutput, "r/c/pose/6 [m]");
+        row("own odometry", "r/c/odometry", "m", 3, kOutput, "r/c/odometry/2 [m]");
+        row("own velocity", "r/c/velocity", "m/s", 6, kOutput, "r/c/velocity/5 [m/s]");
+    }
+    void shapesOfSignals() {
+        QFETCH(std::string, path);
+        QFETCH(std::string, unit);
+        QFETCH(std::uint32_t, count);
+        QFETCH(SignalDirection, direction);
+        QFETCH(std::string, last);
+        const SignalColumns columns({path, unit, SignalType::Real, direction, 0, count});
+        QCOMPARE(columns.names().back(), last);
+        std::vector<double> numbers;
+        columns.read(std::vector<double>{1, 2, 3, 4, 5, 6, 7}, numbers);
+        QCOMPARE(numbers.size(), columns.names().size());
+        QCOMPARE(numbers.back() == static_cast<double>(count), last.find("deg") == std::string::npos);
     }
     void anUnknownSignalListsThoseOfItsRobot() {
         FakeWorld world(experimentOf({"robot0", "robot1"}));

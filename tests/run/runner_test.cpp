@@ -200,7 +200,7 @@ void RunnerTest::anotherControllerTakesThePlace() {
         m_runner->command(command);
         return m_runner->tick().ok();
     };
-    const auto* velocity = m_world->layout().find("robot0/base/linearVelocity");
+    const auto velocity = m_world->layout().find("robot0/base/linearVelocity");
     m_world->block().slots()[velocity->offset] = 0.3;
     m_world->story.clear();
     m_console.clear();

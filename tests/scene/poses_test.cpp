@@ -26,8 +26,12 @@ ExperimentSpec twoRobots() {
 SignalLayout layoutFor(const std::vector<std::string>& paths) {
     SignalLayout layout;
     layout.beginRobot("a");
-    layout.add("a/other", "m", SignalType::Real, SignalDirection::Output);
-    for (const std::string& path : paths) layout.add(path, "m", SignalType::Real, SignalDirection::Truth, 7);
+    layout.add("other", "m", SignalType::Real, SignalDirection::Output);
+    for (const std::string& path : paths) {
+        const std::size_t slash = path.find('/');
+        if (const std::string robot = path.substr(0, slash); robot != layout.images().back().robot) layout.beginRobot(robot);
+        layout.add(path.substr(slash + 1), "m", SignalType::Real, SignalDirection::Truth, 7);
+    }
     return layout;
 }
 
@@ -91,8 +95,8 @@ private Q_SLOTS:
         QVERIFY(startPoses(experiment).leds == (std::vector<LedColour>{white, white})); // as its properties say
         SignalLayout layout;
         layout.beginRobot("a");
-        layout.add("a/led/color", "", SignalType::Real, SignalDirection::Command, 3);
-        layout.add("a/led/lit", "", SignalType::Boolean, SignalDirection::Output);
+        layout.add("led/color", "", SignalType::Real, SignalDirection::Command, 3);
+        layout.add("led/lit", "", SignalType::Boolean, SignalDirection::Output);
         SignalBlock block(layout);
         const auto at = [&](const char* path) { return block.slots().begin() + layout.find(path)->offset; };
         BodyPoses poses;
@@ -110,7 +114,7 @@ private Q_SLOTS:
         const ExperimentSpec experiment = twoRobots();
         SignalLayout layout;
         layout.beginRobot("a");
-        layout.add("a/chassis/pose", "m", SignalType::Real, SignalDirection::Truth, 3);
+        layout.add("chassis/pose", "m", SignalType::Real, SignalDirection::Truth, 3);
         QCOMPARE(PoseReader(experiment, layout).found(), std::size_t(0));
     }
 };

@@ -16,10 +16,10 @@ class SignalsTest : public QObject {
     static SignalLayout twoRobots() {
         SignalLayout l;
         l.beginRobot("a");
-        l.add("a/pose", "m", SignalType::Real, SignalDirection::Truth, 7);
-        l.add("a/motor/voltage", "V", SignalType::Real, SignalDirection::Command);
+        l.add("pose", "m", SignalType::Real, SignalDirection::Truth, 7);
+        l.add("motor/voltage", "V", SignalType::Real, SignalDirection::Command);
         l.beginRobot("b");
-        l.add("b/pose", "m", SignalType::Real, SignalDirection::Truth, 7);
+        l.add("pose", "m", SignalType::Real, SignalDirection::Truth, 7);
         return l;
     }
 
@@ -84,19 +84,70 @@ private Q_SLOTS:
         };
         QVERIFY(hash(1) != hash(2));
     }
+    /// A robot that repeats another has the same signals in slots of its own, and a layout in which each was added has the same hash.
+    void equalRobotsShareTheirNames() {
+        SignalLayout repeated, added;
+        for (SignalLayout* l : {&repeated, &added}) {
+            l->beginRobot("a");
+            l->add("pose", "m", SignalType::Real, SignalDirection::Truth, 7);
+            l->add("motor/voltage", "V", SignalType::Integer, SignalDirection::Command, 2);
+        }
+        repeated.repeatRobot("b", 0);
+        added.beginRobot("b");
+        added.add("pose", "m", SignalType::Real, SignalDirection::Truth, 7);
+        added.add("motor/voltage", "V", SignalType::Integer, SignalDirection::Command, 2);
+        QCOMPARE(repeated.hash(), added.hash());
+        QCOMPARE(repeated.slotCount(), 18u);
+        QCOMPARE(repeated.images()[0].group, repeated.images()[1].group);
+        const auto voltage = repeated.find("b/motor/voltage");
+        QVERIFY(voltage);
+        QCOMPARE(voltage->path, std::string("b/motor/voltage"));
+        QCOMPARE(voltage->unit, std::string("V"));
+        QCOMPARE(voltage->type, SignalType::Integer);
+        QCOMPARE(voltage->direction, SignalDirection::Command);
+        QCOMPARE(voltage->offset, 16u);
+        QCOMPARE(voltage->count, 2u);
+        QVERIFY(!repeated.find("b") && !repeated.find("pose") && !repeated.find("c/pose") && !repeated.find("b/pos"));
+    }
+    /// What is added to a copy, or to the last of two equal robots, is not added to the other.
+    void additionsStayWhereTheyAre() {
+        SignalLayout l = twoRobots();
+        SignalLayout copy = l;
+        copy.add("extra", "", SignalType::Real, SignalDirection::Output);
+        QVERIFY(copy.find("b/extra") && !l.find("b/extra"));
+        l.repeatRobot("c", 0);
+        l.add("extra", "", SignalType::Real, SignalDirection::Output);
+        QCOMPARE(l.find("c/extra")->offset, 23u);
+        QVERIFY(!l.find("a/extra"));
+        QCOMPARE(l.find("a/motor/voltage")->offset, 7u);
+    }
+    void entriesInTheOrderOfTheirSlots() {
+        SignalLayout l = twoRobots();
+        l.beginRobot("empty");
+        l.repeatRobot("d", 1);
+        std::vector<std::string> all, ofB;
+        for (const SignalEntry& entry : l.entries()) all.push_back(entry.path);
+        for (const SignalEntry& entry : l.entriesOf("b")) ofB.push_back(entry.path);
+        QCOMPARE(all, (std::vector<std::string>{"a/pose", "a/motor/voltage", "b/pose", "d/pose"}));
+        QCOMPARE(ofB, std::vector<std::string>{"b/pose"});
+        QCOMPARE(l.entries().size(), std::size_t{4});
+        QCOMPARE(l.entriesOf("empty").size() + l.entriesOf("none").size(), std::size_t{0});
+        QCOMPARE(l.imageOf("d")->offset, 15u);
+        QVERIFY(!l.imageOf("none"));
+    }
     /// Of two signals with one path the first is found; the second has slots of its own.
     void theFirstOfTwoEqualPaths() {
         SignalLayout l;
         l.beginRobot("a");
-        QCOMPARE(l.add("a/x", "m", SignalType::Real, SignalDirection::Output, 3), 0u);
-        QCOMPARE(l.add("a/x", "s", SignalType::Integer, SignalDirection::Command, 2), 3u);
+        QCOMPARE(l.add("x", "m", SignalType::Real, SignalDirection::Output, 3), 0u);
+        QCOMPARE(l.add("x", "s", SignalType::Integer, SignalDirection::Command, 2), 3u);
         QCOMPARE(l.find("a/x")->offset, 0u);
         QCOMPARE(l.find("a/x")->unit, std::string("m"));
         QCOMPARE(l.slotCount(), 5u);
         QCOMPARE(l.entries().size(), std::size_t{2});
         QCOMPARE(l.images()[0].count, 5u);
         for (int i = 0; i < 100; ++i) { // while the index grows
-            l.add("a/" + std::to_string(i), "", SignalType::Real, SignalDirection::Output);
+            l.add(std::to_string(i), "", SignalType::Real, SignalDirection::Output);
             QCOMPARE(l.find("a/x")->offset, 0u);
         }
     }

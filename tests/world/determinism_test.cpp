@@ -162,7 +162,7 @@ private Q_SLOTS:
             for (int r = 0; r < 3; ++r) {
                 const std::string name = "robot" + std::to_string(r);
                 for (const std::string part : {"/pose", "/velocity", "/leftWheel/pose", "/rightWheel/velocity"}) {
-                    const SignalEntry* entry = a->layout().find(name + part);
+                    const auto entry = a->layout().find(name + part);
                     for (std::uint32_t k = 0; k < entry->count; ++k)
                         QCOMPARE(value(*a, name + part, static_cast<int>(k)), value(*b, name + part, static_cast<int>(k)));
                 }

@@ -112,7 +112,7 @@ private Q_SLOTS:
         QCOMPARE(lights.size(), std::size_t(without + 1));
         const TrundleLight& lamp = lights.back();
         QVERIFY(lamp.type == TRUNDLE_LAMP && lamp.light == 0.25 && lamp.shadows == 1);
-        const SignalEntry* entry = world->layout().find("r/chassis/pose");
+        const auto entry = world->layout().find("r/chassis/pose");
         QVERIFY(entry);
         const auto pose = world->block().slots().subspan(entry->offset, 7);
         const Vec3 expected = Vec3(pose[0], pose[1], pose[2]) + Quat(pose[3], pose[4], pose[5], pose[6]) * Vec3(point);

@@ -313,7 +313,7 @@ private Q_SLOTS:
             QCOMPARE(world->rescuedTicks(), joints == 1 ? 0u : 20u);
             QCOMPARE(world->quickTicks() > 0, joints == 4);
             for (const char* path : {"alone/body/pose", "alone/body/velocity"}) {
-                const SignalEntry* entry = world->layout().find(path);
+                const auto entry = world->layout().find(path);
                 ends[joints / 2].insert(ends[joints / 2].end(), slot(*world, path), slot(*world, path) + entry->count);
             }
         }

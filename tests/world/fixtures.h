@@ -244,7 +244,7 @@ inline Scene r0Scene(double tick = 0.01, double friction = 1) {
 }
 
 inline double* slot(World& world, const std::string& path) {
-    const SignalEntry* entry = world.layout().find(path);
+    const auto entry = world.layout().find(path);
     return entry ? world.block().slots().data() + entry->offset : nullptr;
 }
 inline double value(World& world, const std::string& path, int index = 0) { return slot(world, path)[index]; }

@@ -268,6 +268,57 @@ Measure glances(double mass, double mu, double e, double along, double down) {
     };
 }
 
+/// A turntable of 2 m radius about z, its top at z = 0.
+void addTurntable(Scene& scene, std::uint32_t surface) {
+    auto config = std::make_shared<RobotConfigSpec>();
+    config->bodies.push_back(body("disc", {}, massOfCylinder(500, 2, 0.1), {cylinder("c", 2, 0.1, {}, surface)}));
+    config->joints.push_back(joint("axle", JointType::Hinge, kWorldBody, 0, Vec3::Zero(), Vec3::UnitZ()));
+    config->devices.push_back(row("motor", "axle"));
+    scene.robot("table", at(0, 0, -0.05), config);
+}
+
+/// Faster and faster up to `rate`.
+bool speedUp(World& world, double rate, double seconds) {
+    const int n = static_cast<int>(std::lround(seconds / world.experiment().settings.tick));
+    for (int i = 1; i <= n; ++i) {
+        command(world, "table/motor", rate * i / n, 0, 1e7);
+        if (!world.tick()) return false;
+    }
+    return true;
+}
+
+/// A block on a turntable, held by friction, of which it uses a share: how far it is from the axis after 3 s.
+Measure ridesRound(double share) {
+    return [=](const Conditions& c) -> Figures {
+        Scene scene = sceneOf(c);
+        const double mu = 0.8, r = 0.5;
+        const auto s = scene.surface(mu);
+        addTurntable(scene, s);
+        const Vec3 size(0.06, 0.05, 0.04);
+        scene.loose("crate", at(r, 0, 0.02, degrees(10, 0, 0)), massOfBox(0.4, size), {box("b", size, {}, s)});
+        auto world = scene.build();
+        if (!world || !speedUp(*world, std::sqrt(share * mu * g / r), 2.4) || !run(*world, 3)) return {};
+        return {position(*world, "crate/body").head<2>().norm(), r};
+    };
+}
+
+/// A ball that rolls on a turntable goes round at 2 / 7 of its rate, with a steady speed: the speed.
+Measure rollsRound(double rate) {
+    return [=](const Conditions& c) -> Figures {
+        Scene scene = sceneOf(c);
+        const auto s = scene.surface(2);
+        addTurntable(scene, s);
+        scene.ball("ball", {0.5, 0, 0.05}, 0.4, 0.05, s);
+        auto world = scene.build();
+        if (!world || !speedUp(*world, rate, 0.3)) return {};
+        setGoing(*world, "ball/body", 0.4, 1, {0, 0.2, 0}, 0);
+        if (!run(*world, 0.3)) return {};
+        const double speed = velocity(*world, "ball/body").head<2>().norm();
+        if (!run(*world, 4.5)) return {};
+        return {velocity(*world, "ball/body").head<2>().norm(), speed};
+    };
+}
+
 std::vector<Case> cases() {
     const Block light{0.4, {0.3, 0.3, 0.06}, 0.25}, heavy{25, {0.5, 0.4, 0.12}, 0.6, -1, 20};
     return {
@@ -301,6 +352,9 @@ std::vector<Case> cases() {
         {"block on a block: upper", stacked(4, 1, 0.2, 0.3, 30, true)},
         {"ball skids down", skidsDown(1, 0.1, 0.1, 35, true)},
         {"cylinder skids down", skidsDown(3, 0.06, 0.15, 40, false)},
+        {"rides on a turntable, .15 of its grip", ridesRound(0.15), 0.001, 0.003, 0.01},
+        {"rides on a turntable, .8 of its grip", ridesRound(0.8), 0.002, 0.02, 0},
+        {"ball rolls on a turntable", rollsRound(2), 0.0001, 0.0001},
         {"ball glances off, e .6", glances(1, 0.2, 0.6, 4, 2)},
         {"ball glances off, e 0", glances(0.3, 0.3, 0, 4, 2)},
     };

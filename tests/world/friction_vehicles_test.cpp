@@ -314,6 +314,50 @@ private Q_SLOTS:
         check(cases()[static_cast<std::size_t>(index)],
               {tick, static_cast<SolverChoice>(solver), wheeled ? EngineChoice::Wheeled : EngineChoice::General});
     }
+
+    void mecanumBaseTurnsWithoutEffort_data() {
+        QTest::addColumn<double>("tick");
+        QTest::addColumn<double>("turn");
+        QTest::addColumn<double>("waves"); // rad/s: of the turn and of the way
+        QTest::addColumn<double>("most");  // of the effort that slips
+        for (const double tick : {0.002, 0.01}) {
+            QTest::addRow("slowly, %g ms", 1e3 * tick) << tick << 0.05 << 0.0 << 0.03;
+            QTest::addRow("fast, %g ms", 1e3 * tick) << tick << 1.0 << 0.0 << 0.15;
+            QTest::addRow("to and fro, %g ms", 1e3 * tick) << tick << 1.0 << 3.0 << 0.2;
+        }
+    }
+    /// Each of the four wheels is as fast as the way of the base has it, so that none works against another.
+    void mecanumBaseTurnsWithoutEffort() {
+        QFETCH(double, tick);
+        QFETCH(double, turn);
+        QFETCH(double, waves);
+        QFETCH(double, most);
+        Vehicle v = fourWheels(0.8);
+        v.friction2 = 0;
+        v.headings = {rad(-45), rad(45), rad(45), rad(-45)};
+        Scene scene(tick);
+        addVehicle(scene, v, 0);
+        scene.scenery({plane("floor", {}, v.ground)});
+        auto world = scene.build(beltOrRow);
+        QVERIFY(world);
+        double sum = 0;
+        const int ticks = static_cast<int>(std::lround(3 / tick)), first = ticks / 3;
+        for (int i = 0; i < ticks; ++i) {
+            const double time = i * tick, rate = turn * (waves > 0 ? std::sin(waves * time) : std::min(1.0, time));
+            const double speed = 0.2 * (waves > 0 ? std::cos(waves * time) : std::min(1.0, time));
+            for (std::size_t k = 0; k < v.wheels.size(); ++k) { // the rim's speed along the grip is the ground's
+                const Vec3 way(speed - rate * v.wheels[k].y(), rate * v.wheels[k].x(), 0);
+                drive(*world, v, k, (way.x() + std::tan(v.headings[k]) * way.y()) / v.radius);
+            }
+            QVERIFY(world->tick());
+            if (i < first) continue;
+            const auto effort = [&](int k) { return value(*world, "v/m" + std::to_string(k) + "/effort"); };
+            sum += std::pow((effort(0) + effort(1) - effort(2) - effort(3)) / 4, 2); // the front against the back
+        }
+        const double fight = std::sqrt(sum / (ticks - first)), slips = 0.8 * v.total * g / 4 / std::numbers::sqrt2 * v.radius;
+        qInfo("%.4f of %.4f N m", fight, slips);
+        QVERIFY(fight < most * slips);
+    }
 };
 
 QTEST_APPLESS_MAIN(FrictionVehiclesTest)

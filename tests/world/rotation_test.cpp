@@ -272,6 +272,39 @@ private Q_SLOTS:
               100 * (round / expected - 1));
         QVERIFY(std::abs(round / expected - 1) < 0.02);
     }
+
+    void spinsOnAFloor_data() {
+        QTest::addColumn<double>("h");
+        for (const double h : {0.001, 0.005, 0.01}) QTest::addRow("%g ms", 1e3 * h) << h;
+    }
+    /// A fast top on a frictionless floor: nothing turns it about the vertical, and its lean stays.
+    void spinsOnAFloor() {
+        QFETCH(double, h);
+        const double lean = 20 * kPi / 180, mass = 0.3, arm = 0.05, rate = 120;
+        const Vec3 moments(0.0004, 0.0004, 0.0005);
+        Scene scene(h);
+        const auto ice = scene.surface(0);
+        scene.scenery({plane("floor", {}, ice)});
+        const Quat tilted = rotationFromHpr(Vec3(0, lean, 0));
+        scene.loose("b", {Vec3(0, 0, 0.002), tilted}, {mass, {0, 0, arm}, Mat3(moments.asDiagonal())},
+                    {sphere("tip", 0.002, {}, ice)});
+        auto world = scene.build();
+        QVERIFY(world);
+        // Steady precession about the vertical, of the centre of mass as the fixed point.
+        const double axial = moments.z() * rate, up = moments.x() * std::cos(lean);
+        const double round = (axial - std::sqrt(axial * axial - 4 * up * mass * g * arm)) / (2 * up);
+        const Vec3 axis = tilted * Vec3::UnitZ(), aside = round * (Vec3::UnitZ() - std::cos(lean) * axis);
+        spinUp(*world, "b/body", axial * axis + moments.x() * aside);
+        QVERIFY(world->tick().ok());
+        const double start = momentum(*world, moments).z();
+        for (int i = 0; i < 15; ++i) {
+            QVERIFY(run(*world, 0.1));
+            const double now = momentum(*world, moments).z();
+            const double leans = std::acos((rotation(*world, "b/body") * Vec3::UnitZ()).z()) * 180 / kPi;
+            QVERIFY2(std::abs(now / start - 1) < 5e-4, qPrintable(QString("momentum %1 of %2").arg(now).arg(start)));
+            QVERIFY2(std::abs(leans - 20) < 0.5, qPrintable(QString("leans by %1 degrees").arg(leans)));
+        }
+    }
 };
 
 QTEST_APPLESS_MAIN(RotationTest)

@@ -255,6 +255,89 @@ private Q_SLOTS:
         }
     }
 
+    void hopsNoHigher_data() {
+        QTest::addColumn<double>("tick");
+        QTest::addColumn<int>("kind");                 // slider, suspension, spring
+        for (const double tick : {0.002, 0.005, 0.01}) // the foot swings by 0.9 rad in 10 ms
+            for (const int kind : {0, 1, 2}) QTest::addRow("kind %d, %g ms", kind, 1e3 * tick) << tick << kind;
+    }
+    /// A weight on a foot with an undamped spring, dropped: each landing costs what the foot had. Until the
+    /// tick ends the spring does not feel it, which may add some percent. Rates are those of half a tick before.
+    void hopsNoHigher() {
+        QFETCH(double, tick);
+        QFETCH(int, kind);
+        const double top = 2, foot = 0.2, k = 1500, drop = 0.01, start = (top + foot) * g * drop;
+        Scene scene(tick);
+        scene.surface(1);
+        auto config = std::make_shared<RobotConfigSpec>();
+        config->bodies.push_back(block("top", {0, 0, 0.4}, top, 0.01));
+        config->bodies.push_back(block("foot", {0, 0, 0.05}, foot, 1e-3, {sphere("pad", 0.05, {}, 1)}));
+        config->joints.push_back(joint("rail", JointType::Slider, kWorldBody, 0, {0, 0, 0.4}, Vec3::UnitZ()));
+        config->joints.push_back(
+            joint("leg", kind == 1 ? JointType::Suspension : JointType::Slider, 0, 1, {0, 0, 0.05}, Vec3::UnitZ()));
+        config->joints[1].axis2 = Vec3::UnitY();
+        if (kind < 2) config->joints[1].stiffness = k;
+        else {
+            SpringSpec spring;
+            spring.name = "coil";
+            spring.parent = 0;
+            spring.child = 1;
+            spring.anchor = {0, 0, 0.4};
+            spring.anchor2 = {0, 0, 0.05};
+            spring.length = 0.35;
+            spring.stiffness = k;
+            config->springs.push_back(spring);
+        }
+        scene.scenery({plane("floor", {}, 1)}).robot("r", at(0, 0, drop), config);
+        auto world = scene.build();
+        QVERIFY(world);
+        double most = 0;
+        while (world->time() < 8) {
+            QVERIFY(world->tick().ok());
+            const double zt = position(*world, "r/top").z() - 0.4, zf = position(*world, "r/foot").z() - 0.05,
+                         vt = velocity(*world, "r/top").z(), vf = velocity(*world, "r/foot").z(), q = zt - zf;
+            const double energy = g * (top * zt + foot * zf) + (top * vt * vt + foot * vf * vf + k * q * q) / 2,
+                         half = tick / 2 * (k * q * (vt - vf) + g * (top * vt + foot * vf));
+            most = std::max(most, energy - half);
+            QVERIFY2(energy - half < 1.1 * start, qPrintable(QString::number((energy - half) / start)));
+        }
+        qInfo("%.4f of the energy at the start", most / start);
+    }
+
+    void bouncesNoHigherOnSoftGround_data() {
+        QTest::addColumn<double>("tick");
+        QTest::addColumn<double>("turn"); // rad per tick
+        for (const double tick : {0.002, 0.01, 0.02})
+            for (const double turn : {0.3, 1.0, 1.5}) QTest::addRow("%g rad, %g ms", turn, 1e3 * tick) << tick << turn;
+    }
+    /// A ball on ground that gives, dropped: no bounce is higher than the one before.
+    void bouncesNoHigherOnSoftGround() {
+        QFETCH(double, tick);
+        QFETCH(double, turn);
+        const double own = 2e5, height = 0.3, stiffness = std::pow(turn / tick, 2), mass = std::min(1.0, own / 2 / stiffness);
+        Scene scene(tick);
+        const auto soft = scene.surface(0.5, 0, 0, 1 / (mass * stiffness) - 1 / own), hard = scene.surface(0.5);
+        scene.scenery({plane("floor", {}, soft)}).ball("b", {0, 0, 0.1 + height}, mass, 0.1, hard);
+        auto world = scene.build();
+        QVERIFY(world);
+        double last = height * (1 + 1e-6);
+        bool flew = true;
+        double at = 0;
+        while (world->time() < 20) {
+            QVERIFY(world->tick().ok());
+            const double z = position(*world, "b/body").z() - 0.1, v = velocity(*world, "b/body").z();
+            if (z <= 0) {
+                flew = false;
+                continue;
+            }
+            at = z + v * v / (2 * g) - tick * v / 2; // of its top; the rate is that of half a tick before
+            if (!flew) QVERIFY2(at < last * (1 + 1e-6) + 1e-9, qPrintable(QString("%1 after %2").arg(at).arg(last)));
+            if (!flew) last = std::min(last, at);
+            flew = true;
+        }
+        qInfo("%.4f of the height", at / height);
+    }
+
     void staysAtItsRest_data() {
         QTest::addColumn<double>("tick");
         QTest::addColumn<double>("degrees");

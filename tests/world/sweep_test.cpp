@@ -28,6 +28,28 @@ GeomSpec sheet(double width, double height) {
     return geom;
 }
 
+/// Ground of two triangles in the plane z = 0.
+GeomSpec ground(double half) {
+    GeomSpec geom = sheet(half, half);
+    auto mesh = std::make_shared<TriangleMesh>();
+    mesh->points = {{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}};
+    mesh->triangles = {{0, 1, 2}, {0, 2, 3}};
+    geom.mesh = mesh;
+    return geom;
+}
+
+/// s, from `from` to `to` off the vertical, of a thin rod that turns about its end.
+double fallTime(double length, double from, double to) {
+    double time = 0;
+    constexpr int steps = 100000;
+    const double most = std::sqrt(to - from); // substituted: the speed is 0 at the start
+    for (int i = 0; i < steps; ++i) {
+        const double u = (i + 0.5) / steps * most;
+        time += 2 * u * (most / steps) / std::sqrt(3 * g / length * (std::cos(from) - std::cos(from + u * u)));
+    }
+    return time;
+}
+
 } // namespace
 
 class SweepTest : public QObject {
@@ -180,6 +202,71 @@ private Q_SLOTS:
         QVERIFY(std::abs(position(*world, "b/body").x() - 20) < 1e-3);
         QVERIFY(std::abs(position(*world, "b/body").z() - 0.02) < 1e-4);
         QCOMPARE(world->sweeps().bodies, 100u);
+    }
+
+    void rollsOverMesh_data() {
+        QTest::addColumn<double>("radius");
+        QTest::addColumn<double>("h");
+        for (const double h : {0.005, 0.01, 0.03})
+            for (const double r : {0.005, 0.02}) QTest::addRow("%g mm, %g ms", 1e3 * r, 1e3 * h) << r << h;
+    }
+    /// A ball that rolls by more than its radius in a tick moves as fast as its velocity says.
+    void rollsOverMesh() {
+        QFETCH(double, radius);
+        QFETCH(double, h);
+        Scene scene(h);
+        const auto s = scene.surface(0.5);
+        GeomSpec floor = ground(5);
+        floor.surface = s;
+        scene.scenery({floor}).ball("b", {-3, 0.3, radius}, 0.1, radius, s);
+        auto world = scene.build();
+        QVERIFY(run(*world, 0.3));
+        const Vec3 at = position(*world, "b/body");
+        QVERIFY(world->push("b/body", {0.1 * 4.5 / h, 0, 0}, at + Vec3(0, 0, 0.4 * radius)).ok()); // 4.5 m/s, rolling
+        QVERIFY(run(*world, 0.9));
+        QVERIFY(world->sweeps().bodies > 0);
+        QVERIFY(std::abs(velocity(*world, "b/body").x() - 4.5) < 0.01);
+        QVERIFY(std::abs(position(*world, "b/body").x() - at.x() - 4.5 * 0.9) < 0.01);
+        QVERIFY(std::abs(position(*world, "b/body").z() - radius) < 1e-4);
+    }
+
+    void topples_data() {
+        QTest::addColumn<QString>("shape");
+        QTest::addColumn<double>("h");
+        for (const double h : {0.002, 0.005, 0.01, 0.02})
+            for (const char* shape : {"capsule", "box", "cylinder"}) QTest::addRow("%s, %g ms", shape, 1e3 * h) << shape << h;
+    }
+    /// A pole of 1 m, 20 mm thick, of which the upper end moves farther than that in a tick, falls over about its foot.
+    void topples() {
+        QFETCH(QString, shape);
+        QFETCH(double, h);
+        Scene scene(h);
+        const auto s = scene.surface(2);
+        const double from = 10 * kPi / 180, to = 80 * kPi / 180;
+        GeomSpec geom = shape == "box" ? box("b", {0.02, 0.02, 1}, {}, s) : cylinder("b", 0.01, 1, {}, s);
+        if (shape == "capsule") geom = capsule("b", 0.01, 0.98, s);
+        const double z = shape == "capsule" ? 0.01 + 0.49 * std::cos(from) : 0.5 * std::cos(from) + 0.01 * std::sin(from);
+        scene.scenery({plane("floor", {}, s)}).loose("b", at(0, 0, z, degrees(0, 10, 0)), massOfBox(1, {0.02, 0.02, 1}), {geom});
+        auto world = scene.build();
+        const auto tilt = [&] {
+            const double* p = slot(*world, "b/body/pose");
+            return std::acos((Quat(p[3], p[4], p[5], p[6]) * Vec3::UnitZ()).z());
+        };
+        double lastTilt = tilt(), way = 0;
+        const double start = position(*world, "b/body").z();
+        while (tilt() < to && world->time() < 2) {
+            lastTilt = tilt();
+            QVERIFY(world->tick().ok());
+            way += h * velocity(*world, "b/body").z();
+        }
+        const double share = (to - lastTilt) / (tilt() - lastTilt);
+        const double foot = shape == "capsule" ? 0 : 0.02; // rad aside of the axis: an edge
+        const double expected = fallTime(1, from - foot, to - foot);
+        const double fallen = world->time() - (1 - share) * h;
+        qInfo("%.4f s, %.4f s", fallen, expected);
+        QVERIFY(world->sweeps().bodies > 0);
+        QVERIFY(std::abs(fallen / expected - 1) < 0.03);
+        QVERIFY(std::abs(way - (position(*world, "b/body").z() - start)) < 0.02);
     }
 
     /// A robot with one small fast part stops with all of it: its joints stay closed.

@@ -33,16 +33,8 @@ void readController(WireReader& in, ControllerSpec& controller) {
 
 } // namespace
 
-std::span<const SignalEntry> entriesOf(const SignalLayout& layout, const std::string& robot) {
-    const auto image = std::ranges::find(layout.images(), robot, &ImageSpan::robot);
-    if (image == layout.images().end()) return {};
-    const auto begin = std::ranges::lower_bound(layout.entries(), image->offset, {}, &SignalEntry::offset),
-               end = std::ranges::lower_bound(layout.entries(), image->offset + image->count, {}, &SignalEntry::offset);
-    return {begin, end};
-}
-
-void write(WireWriter& out, const RobotSpec& robot, std::size_t controller, const SettingsSpec& settings, std::span<const SignalEntry> entries,
-           std::uint64_t offset) {
+void write(WireWriter& out, const RobotSpec& robot, std::size_t controller, const SettingsSpec& settings,
+           const SignalLayout::Range& entries, std::uint64_t offset) {
     out.number(offset).number(settings.seed).number(settings.tick).bytes(robot.name);
     out.number<std::uint64_t>(robot.controllers.size());
     for (const ControllerSpec& each : robot.controllers) out.bytes(each.name);
@@ -82,10 +74,10 @@ ControllerRecord readControllerRecord(WireReader& in) {
     record.robot.config = std::move(config);
     record.layout.beginRobot(record.robot.name);
     for (std::uint64_t left = in.count(); left > 0; --left) {
-        std::string path = in.text();
+        std::string name = in.text().substr(record.robot.name.size() + 1);
         const auto type = static_cast<SignalType>(in.number<std::uint32_t>());
         const auto direction = static_cast<SignalDirection>(in.number<std::uint32_t>());
-        record.layout.add(std::move(path), {}, type, direction, in.number<std::uint32_t>());
+        record.layout.add(std::move(name), {}, type, direction, in.number<std::uint32_t>());
     }
     return record;
 }

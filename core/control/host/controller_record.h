@@ -20,8 +20,8 @@ struct ControllerRecord {
 
 /// The entries of a robot's image, by offset.
 [[nodiscard]] std::span<const SignalEntry> entriesOf(const SignalLayout& layout, const std::string& robot);
-void write(WireWriter& out, const RobotSpec& robot, std::size_t controller, const SettingsSpec& settings, std::span<const SignalEntry> entries,
-           std::uint64_t offset);
+void write(WireWriter& out, const RobotSpec& robot, std::size_t controller, const SettingsSpec& settings,
+           const SignalLayout::Range& entries, std::uint64_t offset);
 [[nodiscard]] ControllerRecord readControllerRecord(WireReader& in);
 
 } // namespace trundle

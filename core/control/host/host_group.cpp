@@ -130,7 +130,7 @@ void HostGroup::copyIn(const Member& member) { member.slots.copyIn(m_block->slot
 void HostGroup::copyOut(const Member& member) { member.slots.copyOut(m_host->commands(), m_block->slots()); }
 
 Status HostGroup::claim(Member& member, const std::string& command) {
-    const SignalEntry* entry = command.starts_with(member.robot->name + "/") ? m_layout->find(command) : nullptr;
+    const auto entry = command.starts_with(member.robot->name + "/") ? m_layout->find(command) : std::nullopt;
     if (!entry || entry->direction != SignalDirection::Command) return Error{Code::UnknownPort, "there is no command " + command};
     const Status claimed = member.outputs.claim ? member.outputs.claim(command) : Status();
     if (claimed) member.slots.claim(*entry, m_block->slots(), m_host->commands());
@@ -185,7 +185,8 @@ Status HostGroup::start(std::size_t number, const SignalLayout& layout, SignalBl
     }
     WireWriter message;
     message.number(static_cast<std::uint32_t>(number));
-    write(message, *member.robot, member.index, m_context.experiment->settings, entriesOf(layout, member.robot->name), member.slots.inImage());
+    write(message, *member.robot, member.index, m_context.experiment->settings, layout.entriesOf(member.robot->name),
+          member.slots.inImage());
     member.started = true;
     Status started = call(number, HostRequest::Start, message.view());
     member.started = started.ok();

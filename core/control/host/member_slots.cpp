@@ -2,19 +2,17 @@
 
 #include <algorithm>
 
-#include "control/host/controller_record.h"
-
 namespace trundle {
 
 std::size_t MemberSlots::place(const RobotSpec& robot, const ControllerSpec& controller, const SignalLayout& layout,
                                std::size_t first) {
-    const std::span<const SignalEntry> entries = entriesOf(layout, robot.name);
-    m_inBlock = entries.empty() ? 0 : entries.front().offset;
+    const ImageSpan* image = layout.imageOf(robot.name);
+    m_inBlock = image ? image->offset : 0;
     m_inImage = first;
-    m_count = entries.empty() ? 0 : entries.back().offset + entries.back().count - m_inBlock;
+    m_count = image ? image->count : 0;
     m_written.clear();
     const std::string published = robot.name + "/" + controller.name + "/";
-    for (const SignalEntry& entry : entries) {
+    for (const SignalEntry& entry : layout.entriesOf(robot.name)) {
         if (!entry.path.starts_with(published)) continue;
         if (!m_written.empty() && m_written.back().inBlock + m_written.back().count == entry.offset)
             m_written.back().count += entry.count;

@@ -24,6 +24,39 @@ bool isNumber(std::string_view text) {
            std::ranges::count(text, '.') < 2;
 }
 
+/// The number, with its unit, that full-width signs mean: `1.5cm`; empty if it is none.
+std::string numberIn(std::string_view written) {
+    constexpr std::uint32_t kFirst = 0xFF01, kLast = 0xFF5E, kToAscii = 0xFEE0;
+    std::string plain;
+    bool wide = false;
+    for (std::size_t at = 0; at < written.size();) {
+        const CodePoint point = codePointAt(written, at);
+        const bool isWide = point.valid && point.value >= kFirst && point.value <= kLast;
+        if (!isWide && point.value >= 0x80) return {};
+        plain += static_cast<char>(isWide ? point.value - kToAscii : point.value);
+        wide = wide || isWide;
+        at += point.length;
+    }
+    const std::size_t digits = plain.starts_with('-') ? 1 : 0;
+    const std::size_t end = std::min(plain.find_first_not_of("0123456789.", digits), plain.size());
+    const std::string_view number = std::string_view(plain).substr(digits, end - digits);
+    const bool isUnit = std::ranges::all_of(std::string_view(plain).substr(end), isIdent);
+    return wide && isUnit && isNumber(number) && std::ranges::any_of(number, isDigit) ? plain : std::string();
+}
+
+bool continuesText(TokenKind kind, std::string_view text) {
+    switch (kind) {
+    case TokenKind::End:
+    case TokenKind::Comma:
+    case TokenKind::OpenBrace:
+    case TokenKind::CloseBrace:
+    case TokenKind::String:
+    case TokenKind::Directive: return false;
+    case TokenKind::Unknown: return text != ";";
+    default: return true;
+    }
+}
+
 } // namespace
 
 void ValueErrors::reportGaps(Value& v, const std::vector<TextRange>& gaps, std::string_view key) {
@@ -38,17 +71,16 @@ void ValueErrors::reportGaps(Value& v, const std::vector<TextRange>& gaps, std::
     constexpr std::size_t kShort = 40;
     const std::string written(slice(v.range));
     const bool isText = key == "Title" || key == "Description" || key == "Help";
-    const auto offerQuotes = [&](bool now) {
-        if (!now || !words || gaps.size() + 1 != v.elements.size()) return;
+    const auto offerQuotes = [&] {
+        if (!words || gaps.size() + 1 != v.elements.size()) return;
         fix(d, written.size() < kShort ? "\"" + written + "\"" : "put it in quotes", {edit(v.range, "\"" + written + "\"")});
     };
-    if (gaps.size() > kMaxGaps) return offerQuotes(true);
-    offerQuotes(isText);
+    if (gaps.size() > kMaxGaps || isText) return offerQuotes(); // a text is no list
     std::vector<TextEdit> edits;
     for (const TextRange gap : gaps) edits.push_back(edit(gap, ","));
     const std::string repaired = written.size() < kShort ? withCommas(written, v.range.begin, gaps) : std::string();
     fix(d, written.size() < kShort && repaired.find('\n') == std::string::npos ? repaired : "insert commas", std::move(edits));
-    offerQuotes(!isText);
+    offerQuotes();
 }
 
 void ValueErrors::checkNumberTail(Element& e, Value& v) {
@@ -289,19 +321,7 @@ void ValueErrors::unquotedText(Element& e, Value& v) {
     const bool begun =
         e.range.end <= previous().end && position() > 0 && previous().end >= e.range.end && e.range.begin < range().begin;
     if (!begun) advance();
-    const auto continuesAt = [this] {
-        switch (kind()) {
-        case TokenKind::End:
-        case TokenKind::Comma:
-        case TokenKind::OpenBrace:
-        case TokenKind::CloseBrace:
-        case TokenKind::String:
-        case TokenKind::Directive: return false;
-        case TokenKind::Unknown: return text() != ";";
-        default: return true;
-        }
-    };
-    while (adjacent() && continuesAt()) advance();
+    while (adjacent() && continuesText(kind(), text())) advance();
     e.range.end = previous().end;
     const std::string_view bytes = this->bytes();
     if (bytes[e.range.end - 1] == ':' && bytes.substr(e.range.end, 2) == "//") { // `//` of a URL, lexed as a comment
@@ -327,8 +347,14 @@ void ValueErrors::reportUnquoted(const Element& e, const std::string& written) {
         const std::string meant = "$(" + written.substr(0, colon) + "/" + written.substr(colon + 1) + ")";
         Diagnostic& d = error(Code::BadExpression, e.range, "a ratio is written as a number or in $( )");
         fix(d, meant, {edit(e.range, meant)});
+    } else if (const std::string number = numberIn(written); !number.empty()) {
+        Diagnostic& d = error(Code::BadNumber, e.range, "full-width signs; a number is written `" + number + "`");
+        fix(d, number, {edit(e.range, number)});
     } else if (m_paths.element(e, written)) {
         return;
+    } else if (written.size() > 1 && written[0] == '$' && isDigit(written[1])) {
+        error(Code::UnexpectedText, e.range,
+              "behind `$` is the name of a Param, which begins with a letter; a text with `$` is written in double quotes");
     } else if (written == "$" || std::count(written.begin(), written.end(), '"') > 0) {
         error(Code::UnexpectedText, e.range, "syntax error: unexpected `" + written + "`");
     } else {

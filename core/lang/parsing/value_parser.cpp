@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "base/utf8.h"
 #include "lang/characters.h"
@@ -41,12 +42,32 @@ bool isTiny(std::string_view number) {
     return lead + (number[e + 1] == '-' ? -exponent : exponent) < 0;
 }
 
+/// `nearest` to what is written; or the next one, where it is rounded down to the largest whole number that a property may have.
+double notBelow(const std::string& plain, double nearest) {
+    constexpr double kLargestWhole = 9007199254740992.0; // 2^53
+    long double written = 0;
+    if (std::abs(nearest) != kLargestWhole) return nearest;
+    const bool read = std::from_chars(plain.data(), plain.data() + plain.size(), written).ec == std::errc();
+    return read && std::abs(written) > kLargestWhole ? std::nextafter(nearest, 2 * nearest) : nearest;
+}
+
 /// False for `"abc` and for `"abc\"`, whose last quote is escaped.
 bool isClosedString(std::string_view written) {
     if (written.size() < 2 || written.back() != '"') return false;
     std::size_t backslashes = 0;
     while (written[written.size() - 2 - backslashes] == '\\') ++backslashes;
     return backslashes % 2 == 0;
+}
+
+/// Where a string that its line does not close is closed in a line below, if what is between them can only be text; npos: nowhere.
+std::size_t quoteBelow(std::string_view text, TextRange open) {
+    constexpr std::size_t kFar = 4096, kNone = std::string_view::npos;
+    const std::size_t quote = text.substr(0, open.end + kFar).find('"', open.end);
+    if (quote == kNone || (text[open.end] != '\n' && text[open.end] != '\r')) return kNone;
+    const std::string_view all = text.substr(open.begin, quote - open.begin), below = text.substr(open.end, quote - open.end);
+    const std::string_view behind = text.substr(quote + 1, std::min(text.find_first_of("\r\n", quote), text.size()) - quote - 1);
+    const bool comments = all.find("//") != kNone || all.find("/*") != kNone || text[open.end - 1] == '\\';
+    return comments || below.find_first_of("={}#\\") != kNone || behind.find('"') != kNone ? kNone : quote;
 }
 
 } // namespace
@@ -280,6 +301,7 @@ void ValueParser::numberElement(Element& e, Value& v) {
         error(Code::BadNumber, digits, "`" + plain + "` is no number");
         v.broken = true;
     }
+    e.number = notBelow(plain, e.number);
     advance();
     if (kind() != TokenKind::Unit) return;
     e.unit = text();
@@ -322,16 +344,38 @@ void ValueParser::stringElement(Element& e, Value& v) {
         e.text += '\\';
         e.text += c;
     }
-    if (!closed) {
-        // The quote belongs before the end of the block, the trailing spaces and the comment in the line.
-        const std::size_t length = std::min({written.find(" //"), written.find(" }"), written.size()});
-        std::uint32_t end = e.range.begin + static_cast<std::uint32_t>(length);
-        while (end > e.range.begin + 1 && isBlank(bytes()[end - 1])) --end;
-        Diagnostic& d = error(Code::UnclosedString, {e.range.begin, end}, "this string lacks its closing quote");
-        fix(d, "add `\"`", {edit({end, end}, "\"")});
-        v.broken = true;
-    }
+    if (closed) return advance();
+    v.broken = true;
+    const std::size_t quote = quoteBelow(bytes(), range());
+    if (quote == std::string_view::npos) openString(e);
+    else stringOfLines(e, quote);
+}
+
+void ValueParser::openString(Element& e) {
+    // The quote belongs before the end of the block, the trailing spaces and the comment in the line.
+    const std::string_view written = text();
+    const std::size_t length = std::min({written.find(" //"), written.find(" }"), written.size()});
+    std::uint32_t end = e.range.begin + static_cast<std::uint32_t>(length);
+    while (end > e.range.begin + 1 && isBlank(bytes()[end - 1])) --end;
+    Diagnostic& d = error(Code::UnclosedString, {e.range.begin, end}, "this string lacks its closing quote");
+    fix(d, "add `\"`", {edit({end, end}, "\"")});
     advance();
+}
+
+/// `quote`: where it ends, in a line below.
+void ValueParser::stringOfLines(Element& e, std::size_t quote) {
+    Diagnostic& d = error(Code::UnclosedString, range(), "a string is written in one line; \\n in it begins another one");
+    std::vector<TextEdit> edits;
+    for (std::uint32_t at = range().end; at < quote; ++at) {
+        const std::string_view rest = bytes().substr(at);
+        const bool two = rest.starts_with("\r\n"), ends = two || rest[0] == '\n' || rest[0] == '\r';
+        e.text += ends ? '\n' : rest[0];
+        if (ends) edits.push_back(edit({at, at + (two ? 2 : 1)}, "\\n"));
+        if (two) ++at;
+    }
+    fix(d, "put it in one line", std::move(edits));
+    while (!atEnd() && range().begin <= quote) advance();
+    e.range.end = static_cast<std::uint32_t>(quote) + 1;
 }
 
 } // namespace trundle

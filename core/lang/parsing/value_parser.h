@@ -30,6 +30,8 @@ private:
     void wordElement(Element& e);
     void numberElement(Element& e, Value& v);
     void stringElement(Element& e, Value& v);
+    void openString(Element& e);
+    void stringOfLines(Element& e, std::size_t quote);
     bool afterElement(Value& v, std::vector<TextRange>& gaps);
     [[nodiscard]] bool openBracket() const;
     [[nodiscard]] std::size_t termInParens() const;

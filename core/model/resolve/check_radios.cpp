@@ -1,4 +1,5 @@
 // Checks Transceivers before a run. They are ordinary devices, so their kind may not be registered.
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -37,21 +38,33 @@ private:
 
     void checkLevels(const ComponentSpec& radio) {
         const std::vector<double> levels = numbersOf(radio, "PowerLevels"), currents = numbersOf(radio, "TransmitCurrent");
-        const double most = radio.number("MaxOutputPower");
-        for (const double level : levels) {
-            if (level <= most) continue;
-            if (const SourceRange place = placeOf(radio, "PowerLevels"); fresh(place))
-                m_context.diagnostics.warning(Code::OutOfRange, place,
-                                              "PowerLevels has " + numberText(level) + " dBm, but MaxOutputPower is " +
-                                                  numberText(most) + " dBm: it never sends with that");
-            break;
-        }
+        checkLimit(radio, levels);
         if (currents.size() < 2 || currents.size() == levels.size()) return;
         if (const SourceRange place = placeOf(radio, "TransmitCurrent"); fresh(place))
             m_context.diagnostics.error(Code::WrongCount, place,
                                         "TransmitCurrent has " + std::to_string(currents.size()) + " values for " +
                                             std::to_string(levels.size()) +
                                             " PowerLevels: it takes one, or one for each of them");
+    }
+
+    /// A radio needs a level at or below MaxOutputPower; what is above it is never used.
+    void checkLimit(const ComponentSpec& radio, const std::vector<double>& levels) {
+        const double most = radio.number("MaxOutputPower");
+        const auto tooHigh = std::ranges::find_if(levels, [most](double level) { return level > most; });
+        if (tooHigh == levels.end()) return;
+        const double lowest = std::ranges::min(levels);
+        const ResolvedValue* limit = radio.find("MaxOutputPower");
+        const bool limitGiven = limit && limit->origin != Origin::Default;
+        const SourceRange place = placeOf(radio, lowest > most && limitGiven ? "MaxOutputPower" : "PowerLevels");
+        if (!fresh(place)) return;
+        if (lowest > most)
+            m_context.diagnostics.error(Code::OutOfRange, place,
+                                        "MaxOutputPower is " + numberText(most) + " dBm, but the lowest of PowerLevels is " +
+                                            numberText(lowest) + " dBm: it has no level to send with");
+        else
+            m_context.diagnostics.warning(Code::OutOfRange, place,
+                                          "PowerLevels has " + numberText(*tooHigh) + " dBm, but MaxOutputPower is " +
+                                              numberText(most) + " dBm: it never sends with that");
     }
 
     void checkWindow(const ComponentSpec& radio) {

@@ -85,8 +85,7 @@ void Loader::import(const ImportItem& item, FileId file, int depth) {
         m_texts.openImports = true;
         Diagnostic& d = m_diagnostics.error(found.error().code, range, found.error().message);
         if (++m_notFound > kMaxNotFound) d.message = "too many imports are not found; those from here on are not looked for";
-        else if (found.error().code == Code::ImportNotFound)
-            suggestWords(d, m_search.nearest(item.path, m_folders[file], "sim"), range);
+        else if (found.error().code == Code::ImportNotFound) suggestWords(d, importsLike(item.path, file), range);
         return;
     }
     const std::string& path = found.value();
@@ -122,6 +121,16 @@ void Loader::import(const ImportItem& item, FileId file, int depth) {
     const std::shared_ptr<const Tree> tree = m_texts.trees[target];
     visit(tree->items(), target, depth + 1);
     m_open.pop_back();
+}
+
+/// Without those that import this one, or are it.
+std::vector<std::string> Loader::importsLike(const std::string& written, FileId file) const {
+    std::vector<std::string> near = m_search.nearest(written, m_folders[file], "sim");
+    std::erase_if(near, [&](const std::string& name) {
+        const Result<std::string> found = m_search.find(name, m_folders[file]);
+        return found && std::ranges::any_of(m_open, [&](FileId open) { return m_paths[open] == found.value(); });
+    });
+    return near;
 }
 
 void Loader::cycle(FileId target, SourceRange range) {

@@ -79,6 +79,7 @@ private:
     FileId add(std::string shown, std::string absolute, Bytes bytes, const std::string& folder, SourceRange importedFrom);
     void visit(const std::vector<Item>& items, FileId file, int depth);
     void import(const ImportItem& item, FileId file, int depth);
+    [[nodiscard]] std::vector<std::string> importsLike(const std::string& written, FileId file) const;
     void cycle(FileId target, SourceRange range);
 
     const FileSearch& m_search;

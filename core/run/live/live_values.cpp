@@ -103,7 +103,7 @@ void LiveObject::addVector(const SignalEntry& entry, LiveValue value, const char
 
 /// Adds pose and velocity of a robot, a body, or a geom that is fixed to a body.
 void LiveObject::addMotion(const SignalLayout& layout, const std::string& prefix, const Pose& inFrame) {
-    const SignalEntry *pose = layout.find(prefix + "pose"), *velocity = layout.find(prefix + "velocity");
+    const auto pose = layout.find(prefix + "pose"), velocity = layout.find(prefix + "velocity");
     if (!pose || shapeOf(*pose) != SignalShape::Pose) return;
     addPose(*pose, "", inFrame);
     if (!velocity || shapeOf(*velocity) != SignalShape::Velocity) return;
@@ -127,7 +127,7 @@ void LiveObject::addRobot(const RobotSpec& robot, const SignalLayout& layout, co
 }
 
 void LiveObject::addSignals(const SignalLayout& layout, const std::string& prefix, const Kind* kind, const std::string& owner) {
-    for (const SignalEntry& entry : layout.entries()) {
+    for (const SignalEntry& entry : layout.entriesOf(std::string_view(prefix).substr(0, prefix.find('/')))) {
         if (!entry.path.starts_with(prefix)) continue;
         const std::string name = entry.path.substr(prefix.size());
         const SignalDescription* described = kind ? named(kind->signals, name) : nullptr;

@@ -2,6 +2,8 @@
 
 #include "run/logs/csv.h"
 #include "run/logs/log.h"
+#include "run/logs/log_folder.h"
+#include "run/logs/log_kinds.h"
 #include "run/logs/log_settings.h"
 
 namespace trundle {
@@ -9,8 +11,10 @@ namespace {
 
 class FrameLog final : public RunLog {
 public:
-    FrameLog(std::string name, const FrameLogSettings& settings)
-        : m_name(std::move(name)), m_pictureOptions{settings.camera.value_or(""), settings.view.value_or(""),
+    /// `folder`: that of the table, with "/"; its pictures are beside it.
+    FrameLog(std::string folder, std::string name, const FrameLogSettings& settings)
+        : m_folder(std::move(folder)),
+          m_name(std::move(name)), m_pictureOptions{settings.camera.value_or(""), settings.view.value_or(""),
                                                     static_cast<std::uint32_t>(settings.size[0]),
                                                     static_cast<std::uint32_t>(settings.size[1])},
           m_ending(settings.format) {}
@@ -28,14 +32,15 @@ public:
         char number[32];
         std::snprintf(number, sizeof number, "_%06llu.", static_cast<unsigned long long>(m_frames++));
         const std::string file = m_name + number + m_ending;
-        const Result<double> taken = m_save ? m_save(m_pictureOptions, file) : Result<double>(Error{Code::NoGraphics, ""});
+        const Result<double> taken =
+            m_save ? m_save(m_pictureOptions, m_folder + file) : Result<double>(Error{Code::NoGraphics, ""});
         CsvWriter out(csv);
         out.cell(taken ? taken.value() : time).cell(taken ? file : std::string());
         out.endRow();
     }
 
 private:
-    std::string m_name;
+    std::string m_folder, m_name;
     PictureOptions m_pictureOptions;
     std::string m_ending;
     PictureSaver m_save;
@@ -57,7 +62,9 @@ void FrameLogSettings::describe(Describe<FrameLogSettings>& d) {
 }
 
 std::unique_ptr<RunLog> makeFrameLog(const ComponentSpec& spec, const World&, Diagnostics&) {
-    return std::make_unique<FrameLog>(spec.name, settingsFrom<FrameLogSettings>(spec));
+    const Result<std::string> table = cleanLogName(logFileName(spec)); // a name that is refused is reported with its file
+    std::string folder = table ? table.value().substr(0, table.value().rfind('/') + 1) : std::string();
+    return std::make_unique<FrameLog>(std::move(folder), spec.name, settingsFrom<FrameLogSettings>(spec));
 }
 
 } // namespace trundle

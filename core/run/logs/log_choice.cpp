@@ -124,17 +124,17 @@ std::vector<std::size_t> chooseRobots(const ComponentSpec& spec, const std::vect
     return indices;
 }
 
-std::vector<const SignalEntry*> chooseSignals(const ComponentSpec& spec, const SignalLayout& layout, Diagnostics& diagnostics) {
-    std::vector<const SignalEntry*> signals;
+std::vector<SignalEntry> chooseSignals(const ComponentSpec& spec, const SignalLayout& layout, Diagnostics& diagnostics) {
+    std::vector<SignalEntry> signals;
     std::set<std::uint32_t> taken;
     const auto take = [&](const SignalEntry& entry) {
-        if (taken.insert(entry.offset).second) signals.push_back(&entry);
+        if (taken.insert(entry.offset).second) signals.push_back(entry);
     };
     const std::vector<std::string> written = spec.texts("Signals");
     for (std::size_t k = 0; k < written.size(); ++k) {
         const std::string& name = written[k];
         bool found = false;
-        if (const SignalEntry* entry = layout.find(name)) {
+        if (const auto entry = layout.find(name)) {
             take(*entry);
             found = true;
         } else if (hasWildcard(name)) {

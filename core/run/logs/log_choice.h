@@ -20,7 +20,7 @@ namespace trundle {
                                                     Diagnostics& diagnostics);
 
 /// The signals selected by `Signals`, in text order, each once. A name that matches no signal is an error.
-[[nodiscard]] std::vector<const SignalEntry*> chooseSignals(const ComponentSpec& spec, const SignalLayout& layout,
-                                                            Diagnostics& diagnostics);
+[[nodiscard]] std::vector<SignalEntry> chooseSignals(const ComponentSpec& spec, const SignalLayout& layout,
+                                                     Diagnostics& diagnostics);
 
 } // namespace trundle

@@ -17,15 +17,19 @@ struct LogKind {
     const char* name;
     Kind (*kind)(std::string name);
     std::unique_ptr<RunLog> (*make)(const ComponentSpec&, const World&, Diagnostics&);
+    bool needsSimulation;
 };
 
 template <class T> Kind logKind(std::string name) { return kindOf<T>(std::move(name), Role::Log, {"", "Repeat", "Ring"}, true); }
 
 constexpr LogKind kLogKinds[] = {
-    {"PoseLog", logKind<PoseLogSettings>, makePoseLog},          {"SignalLog", logKind<SignalLogSettings>, makeSignalLog},
-    {"ContactLog", logKind<ContactLogSettings>, makeContactLog}, {"EnergyLog", logKind<EnergyLogSettings>, makeEnergyLog},
-    {"FrameLog", logKind<FrameLogSettings>, makeFrameLog},       {"RadioLog", logKind<RadioLogSettings>, makeRadioLog},
-    {"LinkMatrix", logKind<LinkMatrixSettings>, makeLinkMatrix},
+    {"PoseLog", logKind<PoseLogSettings>, makePoseLog, false},
+    {"SignalLog", logKind<SignalLogSettings>, makeSignalLog, false},
+    {"ContactLog", logKind<ContactLogSettings>, makeContactLog, true},
+    {"EnergyLog", logKind<EnergyLogSettings>, makeEnergyLog, true},
+    {"FrameLog", logKind<FrameLogSettings>, makeFrameLog, false},
+    {"RadioLog", logKind<RadioLogSettings>, makeRadioLog, true},
+    {"LinkMatrix", logKind<LinkMatrixSettings>, makeLinkMatrix, true},
 };
 
 } // namespace
@@ -40,6 +44,10 @@ std::unique_ptr<RunLog> makeLog(const ComponentSpec& spec, const World& world, D
     for (const LogKind& log : kLogKinds)
         if (spec.kind == log.name) return log.make(spec, world, diagnostics);
     return nullptr; // not reached: the resolver rejects unknown kinds
+}
+
+bool needsSimulation(const ComponentSpec& spec) {
+    return std::ranges::any_of(kLogKinds, [&](const LogKind& log) { return spec.kind == log.name && log.needsSimulation; });
 }
 
 std::string logFileName(const ComponentSpec& spec) {

@@ -12,6 +12,9 @@ namespace trundle {
 /// Creates the log for a spec; nullptr, with a diagnostic, on failure.
 [[nodiscard]] std::unique_ptr<RunLog> makeLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics);
 
+/// Whether it logs what no robot measures and only a simulation has: energies, contacts, the medium of radios.
+[[nodiscard]] bool needsSimulation(const ComponentSpec& spec);
+
 /// The value of `File`, or a name such as "path.csv" for a log `path`.
 [[nodiscard]] std::string logFileName(const ComponentSpec& spec);
 

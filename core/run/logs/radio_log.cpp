@@ -1,5 +1,7 @@
 #include <cmath>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "radio/medium.h"
 #include "radio/pcap.h"
@@ -57,7 +59,12 @@ private:
     std::shared_ptr<RadioTrace> m_trace;
 };
 
-/// Captures the frames as a sniffer next to every sender would.
+bool isReceived(ReceptionOutcome outcome) {
+    return outcome == ReceptionOutcome::Delivered || outcome == ReceptionOutcome::NotAddressed ||
+           outcome == ReceptionOutcome::BufferFull || outcome == ReceptionOutcome::Duplicate;
+}
+
+/// Captures the frames as a sniffer next to every sender would: those that the chosen radios send or receive.
 class PacketCapture final : public RunLog {
 public:
     PacketCapture(Medium& medium, RadioChoice robots) : m_robots(std::move(robots)), m_trace(medium.trace()) {}
@@ -65,8 +72,17 @@ public:
     void header(std::string& bytes) const override { beginPcap(bytes); }
     void rows(const World&, double, std::string& bytes) override { collected(bytes); }
     void collected(std::string& bytes) override {
-        for (const AirFrame& frame : m_trace->frames)
-            if (m_robots.has(frame.from)) addToPcap(frame, bytes);
+        std::set<std::pair<RadioId, double>> received; // by sender and start: a radio sends one frame at a time
+        for (const FrameRecord& r : m_trace->records)
+            if (m_robots.has(r.to) && isReceived(r.outcome)) received.emplace(r.from, r.time);
+        std::map<RadioId, AirFrame> open;
+        const auto take = [&](AirFrame& frame) {
+            if (m_robots.has(frame.from) || received.contains({frame.from, frame.time})) addToPcap(frame, bytes);
+            else open[frame.from] = std::move(frame);
+        };
+        for (auto& [from, frame] : m_open) take(frame);
+        for (AirFrame& frame : m_trace->frames) take(frame);
+        m_open = std::move(open);
         m_trace->records.clear();
         m_trace->frames.clear();
     }
@@ -74,6 +90,7 @@ public:
 private:
     RadioChoice m_robots;
     std::shared_ptr<RadioTrace> m_trace;
+    std::map<RadioId, AirFrame> m_open; ///< by sender: its last one, which may be received yet
 };
 
 class LinkMatrix final : public RunLog {

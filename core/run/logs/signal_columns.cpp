@@ -10,9 +10,19 @@ namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 
-bool endsWith(const SignalEntry& entry, std::string_view name, std::uint32_t count) {
-    return entry.count == count && (entry.path == name || entry.path.ends_with("/" + std::string(name)));
-}
+/// Those of GroundTruthSignals and of the drives. Other components and controllers may mean something else by these names.
+struct ShapedSignal {
+    std::string_view name, unit;
+    std::uint32_t count;
+    SignalDirection direction;
+    SignalShape shape;
+};
+constexpr ShapedSignal kShapedSignals[] = {
+    {"pose", "m", 7, SignalDirection::Truth, SignalShape::Pose},
+    {"velocity", "m/s", 6, SignalDirection::Truth, SignalShape::Velocity},
+    {"pose", "", 3, SignalDirection::Truth, SignalShape::PlanePose},
+    {"odometry", "", 3, SignalDirection::Output, SignalShape::PlanePose},
+};
 
 } // namespace
 
@@ -26,9 +36,10 @@ double readableDegrees(double radians) {
 }
 
 SignalShape shapeOf(const SignalEntry& entry) {
-    if (endsWith(entry, "pose", 7)) return SignalShape::Pose;
-    if (endsWith(entry, "velocity", 6)) return SignalShape::Velocity;
-    if (endsWith(entry, "pose", 3) || endsWith(entry, "odometry", 3)) return SignalShape::PlanePose;
+    const std::string_view name = std::string_view(entry.path).substr(entry.path.rfind('/') + 1); // all of a path without a slash
+    for (const ShapedSignal& each : kShapedSignals)
+        if (each.name == name && each.unit == entry.unit && each.count == entry.count && each.direction == entry.direction)
+            return each.shape;
     return SignalShape::Plain;
 }
 

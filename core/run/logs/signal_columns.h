@@ -12,7 +12,7 @@ namespace trundle {
 /// Degrees rounded to 14 digits: 90, not 90.00000000000001 from the quaternion.
 [[nodiscard]] double readableDegrees(double radians);
 
-/// The meaning of a signal's slots, where its name defines more than its unit.
+/// The meaning of a signal's slots, where Trundle itself defines more than its unit.
 enum class SignalShape {
     Plain,     ///< by unit only
     Pose,      ///< x y z qw qx qy qz

@@ -11,10 +11,10 @@ namespace {
 
 class SignalLog final : public RunLog {
 public:
-    explicit SignalLog(const std::vector<const SignalEntry*>& signals) {
-        for (const SignalEntry* entry : signals) {
-            m_columns.emplace_back(*entry);
-            m_robots.push_back(entry->path.substr(0, entry->path.find('/')));
+    explicit SignalLog(const std::vector<SignalEntry>& signals) {
+        for (const SignalEntry& entry : signals) {
+            m_columns.emplace_back(entry);
+            m_robots.push_back(entry.path.substr(0, entry.path.find('/')));
         }
     }
 

@@ -28,14 +28,14 @@ PoseReader::PoseReader(const ExperimentSpec& experiment, const SignalLayout& lay
     for (const RobotSpec& robot : experiment.robots) {
         if (!robot.config) continue;
         for (const BodySpec& body : robot.config->bodies) {
-            const SignalEntry* entry = layout.find(robot.name + "/" + body.name + "/pose");
+            const auto entry = layout.find(robot.name + "/" + body.name + "/pose");
             const bool usable = entry && entry->count == kPoseSlots && entry->offset + kPoseSlots <= layout.slotCount();
             m_offsets.push_back(usable ? entry->offset : kAbsent);
         }
     }
     findPens(experiment, layout);
     for (const LedModel& led : ledsOf(experiment)) {
-        const SignalEntry *lit = layout.find(led.path + "/lit"), *colour = layout.find(led.path + "/color");
+        const auto lit = layout.find(led.path + "/lit"), colour = layout.find(led.path + "/color");
         const bool usable = lit && colour && colour->count == 3;
         m_leds.push_back(usable ? LedSlots{lit->offset, colour->offset} : LedSlots{});
     }
@@ -46,7 +46,7 @@ void PoseReader::findPens(const ExperimentSpec& experiment, const SignalLayout& 
         for (const ComponentSpec& device : robot.config ? robot.config->devices : std::vector<ComponentSpec>()) {
             if (device.kind != PenSignals::kKind) continue;
             const std::string path = robot.name + "/" + device.name;
-            const SignalEntry *line = layout.find(path + "/line"), *count = layout.find(path + "/points");
+            const auto line = layout.find(path + "/line"), count = layout.find(path + "/points");
             if (!line || !count) continue;
             PenSlots pen{{}, line->offset, count->offset, line->count / kPointSlots};
             pen.empty.width = device.number("Width", 0.01);

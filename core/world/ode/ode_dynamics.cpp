@@ -7,7 +7,7 @@ namespace trundle {
 namespace {
 
 constexpr double kOutside = 1.1; // of a cone's limit: less is not worth another solution
-constexpr int kMostCones = 2, kMostVelocities = 3;
+constexpr int kMostCones = 2, kMostVelocities = 3, kMostThrown = 3;
 
 } // namespace
 
@@ -41,14 +41,14 @@ void OdeDynamics::step(double h) {
     moveAside(h);
 }
 
-/// What a contact pushed out. Rates turn with their bodies, which keeps the energy.
+/// What a contact pushed out.
 void OdeDynamics::moveAside(double h) const {
     for (const ClusterSolver::Aside& a : m_solver.aside()) {
         const OdeBody& b = m_objects.bodies[a.body];
         const Vec3 to = vec(b.p) + h * a.linear;
         dReal q[4];
         const Quat turned = turnedBy(h * a.angular);
-        const Vec3 rate = turned * vec(b.w);
+        const Vec3 rate = m_rotation.turnedAside(b, a.body, turned);
         toOde(turned * quat(b.q), q);
         dBodySetPosition(b.id, to.x(), to.y(), to.z());
         dBodySetQuaternion(b.id, q);
@@ -60,6 +60,7 @@ void OdeDynamics::solve(double h) {
     m_plan.make(m_settings.solver, -m_settings.gravity.normalized(), m_contacts.all, m_objects.geoms);
     recordLargest();
     m_memory.recall(m_contacts.all);
+    m_rows.startSprings(m_contacts.all, h);
     m_contacts.feedbacks.reserve(m_contacts.all.capacity());
     m_contacts.feedbacks.resize(m_contacts.all.size()); // the solver fills every one; they must stay where they are until it has
     if (m_plan.hasOutside())
@@ -76,6 +77,7 @@ void OdeDynamics::solve(double h) {
         m_solver.stepAgain(h, m_plan);
         followCones(h);
     }
+    if (m_settings.solver != SolverChoice::Quick) limitSprings(h);
     if (m_settings.solver != SolverChoice::Quick) keepVelocities(h);
     m_rows.clear();
     keepContacts(h);
@@ -96,6 +98,16 @@ void OdeDynamics::followCones(double h) {
         const auto outside = m_cones.find(m_contacts, m_objects, m_rows, m_solver.before(), kOutside);
         if (outside.empty()) return;
         takeBack(outside, h);
+        m_solver.solveTaken(h);
+    }
+}
+
+/// No spring of a surface gives more than it took.
+void OdeDynamics::limitSprings(double h) {
+    for (int i = 0; i < kMostThrown; ++i) {
+        const auto thrown = m_rows.findThrown(m_contacts, m_solver.before(), h);
+        if (thrown.empty()) return;
+        takeBack(thrown, h);
         m_solver.solveTaken(h);
     }
 }
@@ -121,8 +133,11 @@ void OdeDynamics::recordLargest() {
 /// Remembers what the contacts carried.
 void OdeDynamics::keepContacts(double h) {
     m_memory.clear();
-    for (std::size_t i = 0; i < m_contacts.all.size(); ++i)
-        m_memory.keep(m_contacts.all[i], vec(m_contacts.feedbacks[i].f1), h * m_objects.carriedBy(m_contacts.all[i]));
+    for (std::size_t i = 0; i < m_contacts.all.size(); ++i) {
+        const OdeContact& c = m_contacts.all[i];
+        m_memory.keep(c, vec(m_contacts.feedbacks[i].f1), h * m_objects.carriedBy(c),
+                      m_rows.work(c, m_contacts.feedbacks[i], m_solver.before(), h));
+    }
 }
 
 } // namespace trundle

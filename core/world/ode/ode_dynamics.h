@@ -36,6 +36,7 @@ private:
     void takeBack(std::span<const std::uint32_t> contacts, double h);
     void followCones(double h);
     void keepVelocities(double h);
+    void limitSprings(double h);
     void moveAside(double h) const;
     void recordLargest();
     void keepContacts(double h);

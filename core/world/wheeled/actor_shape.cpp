@@ -3,27 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <functional>
+
+#include "world/wheeled/loads_at_rest.h"
 
 namespace trundle {
 
 namespace {
 
-constexpr double kLevelAxis = 1e-6; // sine of the angle that still counts as level
-constexpr double kNear = 0.005;     // m: the farthest from the ground that still counts as on it
-constexpr double kLowest = 0.02;    // m: lower scenery is a kerb
-constexpr double kTouching = 1e-4;  // m
-constexpr double kStiffness = 2e5;  // N/m, as the general engine's
-constexpr double kDamping = 1100;   // N s/m
-constexpr double kMostSag = 1e-4;   // m, under an actor's own weight
-constexpr double kLeastShare = 3;   // supports that share it
+constexpr double kStiffness = 2e5; // N/m, as the general engine's
+constexpr double kDamping = 1100;  // N s/m
+constexpr double kMostSag = 1e-4;  // m, under an actor's own weight
+constexpr double kLeastShare = 3;  // supports that share it
 constexpr double kSlick = 1e-9;
-
-bool isUpright(const Mat3& axes) { return std::abs(axes(2, 2)) > 1 - kLevelAxis; }
-
-std::string named(const char* kind, const std::string& name, const char* reason) {
-    return std::string(kind) + " " + name + " " + reason;
-}
 
 const char* nameOf(JointType type) {
     switch (type) {
@@ -37,39 +28,38 @@ const char* nameOf(JointType type) {
     return "the joint";
 }
 
+bool canRoll(const GeomSpec& geom, const PlanarShape& footprint) {
+    return geom.shape == GeomShape::Sphere || geom.shape == GeomShape::Capsule ||
+           (geom.shape == GeomShape::Cylinder && !footprint.isCircle());
+}
+
+/// A convex shape, counter-clockwise.
+bool isAroundOrigin(const std::vector<Vec2>& corners) {
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec2 &a = corners[i], side = corners[(i + 1) % corners.size()] - a;
+        if (side.x() * a.y() - side.y() * a.x() > kTouching * side.norm()) return false;
+    }
+    return corners.size() > 2;
+}
+
+/// Whether the centre of mass is beyond the line through two of them, with all others on its other side.
+bool isBesideCentre(std::span<const Support> supports) {
+    for (const Support& a : supports)
+        for (const Support& b : supports) {
+            const Vec2 from = a.centre.head<2>(), way = b.centre.head<2>() - from;
+            if (way.norm() < kOnGround) continue;
+            const auto side = [&](const Vec2& p) { return way.x() * (p.y() - from.y()) - way.y() * (p.x() - from.x()); };
+            const bool outside = side(Vec2::Zero()) < 0 && std::ranges::all_of(supports, [&](const Support& s) {
+                                     return side(s.centre.head<2>()) > -1e-9;
+                                 });
+            if (outside) return true;
+        }
+    return false;
+}
+
 } // namespace
 
 bool hasTwoFrictions(const SurfaceSpec& surface) { return surface.friction2 && *surface.friction2 != surface.friction; }
-
-bool LevelGround::isEndless() const {
-    return std::ranges::any_of(slabs, [](const Slab& slab) { return slab.half.isZero(0); });
-}
-
-bool LevelGround::isBelow(const Vec2& point) const {
-    return std::ranges::any_of(slabs, [&](const Slab& slab) {
-        const Vec2 at = slab.pose.turnBack(point - slab.pose.at);
-        return slab.half.isZero(0) || (std::abs(at.x()) <= slab.half.x() && std::abs(at.y()) <= slab.half.y());
-    });
-}
-
-void GroundSearch::add(std::uint32_t geom, const GeomSpec& spec, const Pose& pose) {
-    const Mat3 axes = pose.rotation.toRotationMatrix();
-    const bool plane = spec.shape == GeomShape::Plane;
-    if (!isUpright(axes) || (!plane && spec.shape != GeomShape::Box)) return;
-    const double height = pose.position.z() + (plane ? 0 : spec.size.z() / 2);
-    const PlanarPose at{pose.position.head<2>(), axes(0, 0), axes(1, 0)};
-    const LevelGround::Slab slab{geom, spec.surface, at, plane ? Vec2(0, 0) : Vec2(spec.size.head<2>() / 2)};
-    for (LevelGround& level : m_levels)
-        if (std::abs(level.height - height) < kTouching) return level.slabs.push_back(slab);
-    m_levels.push_back({height, {slab}});
-    std::ranges::sort(m_levels, std::greater{}, &LevelGround::height);
-}
-
-std::optional<LevelGround> GroundSearch::under(double bottom, const Vec2& place) const {
-    const auto level =
-        std::ranges::find_if(m_levels, [&](const LevelGround& l) { return l.height < bottom + kNear && l.isBelow(place); });
-    return level == m_levels.end() ? std::nullopt : std::optional(*level);
-}
 
 double lowestOf(const ActorDef& actor) {
     double lowest = 1e300;
@@ -79,30 +69,6 @@ double lowestOf(const ActorDef& actor) {
             if (const auto shape = planarShapeOf(geom, body.pose * geom.pose)) lowest = std::min(lowest, shape.value().low);
         }
     return lowest;
-}
-
-std::optional<NotWheeled> whyNotScenery(const GeomSpec& geom, const Pose& pose, const LevelGround& ground) {
-    const auto no = [&](const char* reason) { return NotWheeled{named("geom", geom.name, reason), geom.nameRange}; };
-    const Mat3 axes = pose.rotation.toRotationMatrix();
-    switch (geom.shape) {
-    case GeomShape::Plane:
-        if (!isUpright(axes)) return no("is a plane that slopes");
-        return {};
-    case GeomShape::Heightfield: return no("is a height map");
-    case GeomShape::Mesh:
-        if (!geom.collideAsHull) return no("is a mesh that collides as such");
-        break;
-    case GeomShape::Capsule: return no("is a capsule");
-    default: break;
-    }
-    const auto footprint = planarShapeOf(geom, pose);
-    if (!footprint) return no("has no footprint");
-    if (footprint.value().high <= ground.height + kTouching) return {};
-    const bool leans = geom.shape != GeomShape::Sphere && !isUpright(axes) && footprint.value().low < ground.height + kNear;
-    if (leans) return no("leans: a robot could drive up on it");
-    if (footprint.value().high < ground.height + kLowest && footprint.value().low < ground.height + kNear)
-        return no("is so low that wheels climb it");
-    return {};
 }
 
 bool ActorReader::refuse(std::string reason, SourceRange range) {
@@ -182,6 +148,10 @@ const GeomSpec* ActorReader::onlyGeom(std::uint32_t index) const {
     return found;
 }
 
+bool ActorReader::hasRollingFriction(const GeomSpec& geom) const {
+    return m_surfaces[geom.surface].rollingFriction > 0 || m_surfaces[m_ground.surface()].rollingFriction > 0;
+}
+
 /// A level axle through the middle of one cylinder or ball.
 bool ActorReader::isWheel(const JointSpec& joint) {
     const auto index = static_cast<std::uint32_t>(joint.child);
@@ -194,14 +164,23 @@ bool ActorReader::isWheel(const JointSpec& joint) {
     if ((off - off.dot(joint.axis) * joint.axis).norm() > kTouching) return false;
     if (geom->shape == GeomShape::Cylinder && std::abs((pose.rotation * Vec3::UnitZ()).dot(joint.axis)) < 1 - kLevelAxis)
         return false;
+    const Vec3 mass = inActor(index) * body(index).mass.centre - joint.anchor;
+    if ((mass - mass.dot(joint.axis) * joint.axis).norm() > kTouching)
+        return refuse(named("wheel", body(index).name, "has its centre of mass beside its axle"), joint.nameRange);
     return isOnGround("wheel", joint, m_actor->frame.position.z() + pose.position.z() - geom->radius);
 }
 
-/// A ball in a socket on the ground.
+/// A ball in a socket on the ground, in which it turns freely.
 bool ActorReader::isCaster(const JointSpec& joint) {
     const auto index = static_cast<std::uint32_t>(joint.child);
     const GeomSpec* geom = onlyGeom(index);
     if (!geom || geom->shape != GeomShape::Sphere || joint.swingStop || joint.stiffness > 0) return false;
+    const std::string& name = body(index).name;
+    if (joint.damping > 0)
+        return refuse(named("the Ball", joint.name, "has a Damping; a caster turns freely in its joint"), joint.nameRange);
+    if (hasRollingFriction(*geom)) return refuse(named("caster", name, "has rolling friction"), joint.nameRange);
+    if ((body(index).mass.centre - geom->pose.position).norm() > kTouching)
+        return refuse(named("caster", name, "has a centre of mass that is not its middle"), joint.nameRange);
     const Vec3 centre = inActor(index) * geom->pose.position;
     return (centre - joint.anchor).norm() < kTouching &&
            isOnGround("caster", joint, m_actor->frame.position.z() + centre.z() - geom->radius);
@@ -209,7 +188,7 @@ bool ActorReader::isCaster(const JointSpec& joint) {
 
 bool ActorReader::isOnGround(const char* kind, const JointSpec& joint, double bottom) {
     const double gap = bottom - m_ground.height;
-    if (std::abs(gap) < kNear) return true;
+    if (std::abs(gap) < kOnGround) return true;
     char text[64];
     std::snprintf(text, sizeof text, "is %.1f mm %s the ground at the start", 1e3 * std::abs(gap), gap > 0 ? "above" : "in");
     return refuse(named(kind, body(static_cast<std::uint32_t>(joint.child)).name, text), joint.nameRange);
@@ -239,7 +218,7 @@ bool ActorReader::isWhole() {
     return areJointsOfRigid();
 }
 
-/// No joint hangs on a wheel, and none holds one beside its axle.
+/// No joint hangs on a wheel, none holds one beside its axle, and what is fixed to the world has none.
 bool ActorReader::areJointsOfRigid() {
     const auto isRigid = [this](int index) {
         return index == kWorldBody || m_roles[static_cast<std::size_t>(index)] == Role::Rigid;
@@ -250,6 +229,10 @@ bool ActorReader::areJointsOfRigid() {
             return refuse(named(nameOf(joint.type), joint.name, "has a wheel for its parent"), joint.nameRange);
         if (joint.type == JointType::Fixed && !isRigid(joint.child))
             return refuse(named(nameOf(joint.type), joint.name, "holds a wheel"), joint.nameRange);
+        if (m_anchored && joint.type == JointType::Hinge)
+            return refuse(named("wheel", body(static_cast<std::uint32_t>(joint.child)).name,
+                                "is on a robot that is Fixed to the world: it would not turn"),
+                          joint.nameRange);
     }
     return true;
 }
@@ -268,8 +251,9 @@ void ActorReader::addMasses() {
     for (std::uint32_t i = 0; i < m_roles.size(); ++i) {
         const Mat3 axes = s.bodies[i].rotation.toRotationMatrix();
         const Vec3 arm = s.bodies[i] * body(i).mass.centre - s.centre;
-        s.inertia += axes * body(i).mass.inertia * axes.transpose() +
-                     body(i).mass.mass * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
+        Mat3 own = axes * body(i).mass.inertia * axes.transpose();
+        if (m_roles[i] == Role::Caster) own.setZero(); // it does not turn with the rest
+        s.inertia += own + body(i).mass.mass * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
         s.bodies[i].position -= s.centre;
     }
     for (WheelShape& wheel : s.wheels) {
@@ -315,7 +299,7 @@ bool ActorReader::addSupports() {
         for (const GeomSpec& spec : body(i).geoms) {
             if (!spec.collide) continue;
             const std::uint32_t index = geom++;
-            if (m_roles[i] == Role::Wheel || bottom(m_shape->footprints[index]) > kNear) continue;
+            if (m_roles[i] == Role::Wheel || bottom(m_shape->footprints[index]) > kOnGround) continue;
             if (spec.shape != GeomShape::Sphere)
                 return refuse(named("geom", spec.name, "slides on the ground; only a Sphere can"), spec.nameRange);
             addSlider(i, index, spec, m_shape->bodies[i] * spec.pose.position);
@@ -326,7 +310,7 @@ bool ActorReader::addSupports() {
 bool ActorReader::addWheel(const JointSpec& joint, std::uint32_t index) {
     const WheelShape& wheel = m_shape->wheels[index];
     const GeomSpec& geom = *onlyGeom(wheel.body);
-    const SurfaceSpec &own = m_surfaces[geom.surface], &floor = m_surfaces[m_ground.surface()];
+    const SurfaceSpec& own = m_surfaces[geom.surface];
     Support s;
     s.body = wheel.body;
     for (std::uint32_t i = 0; i < wheel.body; ++i) s.geom += m_shape->geomCounts[i];
@@ -336,8 +320,7 @@ bool ActorReader::addWheel(const JointSpec& joint, std::uint32_t index) {
     s.wheel = index;
     const Vec2 rolls(wheel.axis.y(), -wheel.axis.x()); // axis x up
     s.way = rolls;
-    if (own.rollingFriction > 0 || floor.rollingFriction > 0)
-        return refuse(named("wheel", body(wheel.body).name, "has rolling friction"), joint.nameRange);
+    if (hasRollingFriction(geom)) return refuse(named("wheel", body(wheel.body).name, "has rolling friction"), joint.nameRange);
     if (own.friction2) {
         if (*own.friction2 > kSlick)
             return refuse(named("wheel", body(wheel.body).name, "has a Friction2 other than 0"), joint.nameRange);
@@ -350,6 +333,7 @@ bool ActorReader::addWheel(const JointSpec& joint, std::uint32_t index) {
     return true;
 }
 
+/// Or a ball that turns freely.
 void ActorReader::addSlider(std::uint32_t index, std::uint32_t geom, const GeomSpec& spec, const Vec3& centre) {
     Support s;
     s.body = index;
@@ -357,6 +341,7 @@ void ActorReader::addSlider(std::uint32_t index, std::uint32_t geom, const GeomS
     s.centre = centre;
     s.radius = spec.radius;
     s.surface = spec.surface;
+    if (m_roles[index] == Role::Caster) s.rolling = body(index).mass.inertia.trace() / 3 / (spec.radius * spec.radius);
     m_shape->supports.push_back(s);
 }
 
@@ -366,17 +351,7 @@ bool ActorReader::standsOnSupports() {
     if (supports.size() > kMostSupports) return refuse("it has more than 24 wheels and casters", {});
     const SourceRange range = body(0).nameRange;
     if (supports.size() < 3) return refuse("it needs at least three wheels and casters on the ground", range);
-    for (const Support& a : supports)
-        for (const Support& b : supports) {
-            const Vec2 from = a.centre.head<2>(), way = b.centre.head<2>() - from;
-            if (way.norm() < kNear) continue;
-            const auto side = [&](const Vec2& p) { return way.x() * (p.y() - from.y()) - way.y() * (p.x() - from.x()); };
-            const bool outside = side(Vec2::Zero()) < 0 && std::ranges::all_of(supports, [&](const Support& s) {
-                                     return side(s.centre.head<2>()) > -1e-9;
-                                 });
-            if (outside) return refuse("its centre of mass is not between its wheels and casters: it tips over", range);
-        }
-    return true;
+    return !isBesideCentre(supports) || refuse("its centre of mass is not between its wheels and casters: it tips over", range);
 }
 
 /// A box, a cylinder on its end or a ball, or several that are one body.
@@ -386,11 +361,13 @@ bool ActorReader::readLoose() {
     if (s.footprints.empty()) return refuse(named("body", body(0).name, "has nothing that collides"), body(0).nameRange);
     const auto lowest = std::ranges::min_element(s.footprints, {}, &PlanarShape::low);
     const PlanarShape& base = *lowest;
-    if (std::abs(bottom(base)) > kNear)
+    if (std::abs(bottom(base)) > kOnGround)
         return refuse(named("body", body(0).name, "is not on the ground at the start"), body(0).nameRange);
     s.surface = base.surface;
     const GeomSpec* only = s.bodies.size() == 1 ? onlyGeom(0) : nullptr;
     if (only && only->shape == GeomShape::Sphere) {
+        if ((body(0).mass.centre - only->pose.position).norm() > kTouching)
+            return refuse(named("body", body(0).name, "is a ball whose centre of mass is not its middle"), body(0).nameRange);
         s.kind = ActorKind::Ball;
         s.spinRadius = only->radius;
         return true;
@@ -402,22 +379,23 @@ bool ActorReader::readLoose() {
         for (std::uint32_t b = 0; b < owner; ++b) k -= s.geomCounts[b];
         for (const GeomSpec& geom : body(owner).geoms) {
             if (!geom.collide || k-- != 0) continue;
-            const bool rolls = geom.shape == GeomShape::Sphere || geom.shape == GeomShape::Capsule ||
-                               (geom.shape == GeomShape::Cylinder && !s.footprints[i].isCircle());
-            if (flat && rolls) return refuse(named("geom", geom.name, "can roll and is no ball of its own"), geom.nameRange);
+            if (flat && canRoll(geom, s.footprints[i]))
+                return refuse(named("geom", geom.name, "can roll and is no ball of its own"), geom.nameRange);
         }
     }
-    // Mean distance from the middle: exact 2/3 R for a disc, 0.3826 a for a square of side a.
-    if (base.isCircle()) s.spinRadius = base.radius * 2 / 3;
-    else {
-        double area = 0;
-        for (std::size_t i = 0; i < base.corners.size(); ++i) {
-            const Vec2 &a = base.corners[i], &b = base.corners[(i + 1) % base.corners.size()];
-            area += (a.x() * b.y() - a.y() * b.x()) / 2;
-        }
-        s.spinRadius = 0.3826 * std::sqrt(area);
-    }
-    return true;
+    return restsOnBase(base.low);
+}
+
+/// The centre of mass is above what is lowest of it: more than an edge or a corner. Friction's lever is that of the same points.
+bool ActorReader::restsOnBase(double low) {
+    std::vector<Vec2> points;
+    for (std::uint32_t i = 0; i < m_roles.size(); ++i)
+        for (const GeomSpec& geom : body(i).geoms)
+            if (geom.collide) addPointsBelow(geom, m_shape->bodies[i] * geom.pose, low + kTouching, points);
+    m_shape->spinRadius = turningLever(points);
+    if (isAroundOrigin(convexHullOf(std::move(points)))) return true;
+    return refuse(named("body", body(0).name, "does not rest on a side below its centre of mass: it tips over"),
+                  body(0).nameRange);
 }
 
 /// As the general engine's: nothing sags by more than kMostSag under its weight.

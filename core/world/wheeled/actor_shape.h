@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "world/engine.h"
-#include "world/wheeled/planar_shape.h"
+#include "world/wheeled/level_ground.h"
 
 namespace trundle {
 
@@ -18,29 +18,14 @@ inline constexpr const char* kTwoFrictions = "has a surface with a Friction2 oth
 /// Whether friction depends on the direction, which only wheels may have.
 [[nodiscard]] bool hasTwoFrictions(const SurfaceSpec& surface);
 
-/// The level ground that carries everything: planes and boxes with their tops at one height.
-struct LevelGround {
-    struct Slab {
-        std::uint32_t geom = 0, surface = 0;
-        PlanarPose pose;
-        Vec2 half = Vec2::Zero(); ///< 0: endless
-    };
-    double height = 0; ///< m
-    std::vector<Slab> slabs;
-
-    [[nodiscard]] std::uint32_t geom() const { return slabs[0].geom; }
-    [[nodiscard]] std::uint32_t surface() const { return slabs[0].surface; }
-    [[nodiscard]] bool isEndless() const;
-    [[nodiscard]] bool isBelow(const Vec2& point) const;
-};
-
 /// Where a vehicle touches the ground: a wheel, or a ball or slider under it. Vectors from the centre of mass, in the vehicle's axes.
 struct Support {
     Vec3 centre = Vec3::Zero(); ///< of the wheel or ball
     double radius = 0;
-    Vec2 way{1, 0};    ///< unit: in which friction acts; of a wheel that grips alike everywhere, the way that it rolls
-    bool round = true; ///< friction acts across the way too
-    double lever = 0;  ///< speed of the tread along `way` at 1 rad/s, m; 0: it is no wheel
+    Vec2 way{1, 0};     ///< unit: in which friction acts; of a wheel that grips alike everywhere, the way that it rolls
+    bool round = true;  ///< friction acts across the way too
+    double lever = 0;   ///< speed of the tread along `way` at 1 rad/s, m; 0: it is no wheel
+    double rolling = 0; ///< of a ball that turns freely in its socket: mass that its turning adds to its motion, kg
     std::uint32_t body = 0, geom = 0, wheel = 0; ///< within the actor; `wheel`: of those with a lever
     std::uint32_t surface = 0;
 };
@@ -76,28 +61,8 @@ struct ActorShape {
     std::uint32_t surface = 0; ///< of the lowest geom of something loose
 };
 
-/// Why something cannot be in this engine.
-struct NotWheeled {
-    std::string reason; ///< names the part, without the actor
-    SourceRange range;  ///< of the part in the text
-};
-
-/// Finds the ground among an experiment's scenery.
-class GroundSearch {
-public:
-    void add(std::uint32_t geom, const GeomSpec& spec, const Pose& pose);
-    /// The highest below a place that can carry an actor whose lowest point is at `bottom`; empty where nothing can.
-    [[nodiscard]] std::optional<LevelGround> under(double bottom, const Vec2& place) const;
-
-private:
-    std::vector<LevelGround> m_levels; ///< by height, from above
-};
-
 /// The lowest point of what collides of an actor, m.
 [[nodiscard]] double lowestOf(const ActorDef& actor);
-
-/// Of scenery at a pose, above that ground; nothing for what is the ground or below it.
-[[nodiscard]] std::optional<NotWheeled> whyNotScenery(const GeomSpec& geom, const Pose& pose, const LevelGround& ground);
 
 /// Reads an actor that is on the ground at its start.
 class ActorReader {
@@ -112,6 +77,7 @@ private:
     [[nodiscard]] bool readJoint(std::uint32_t index);
     [[nodiscard]] bool isWheel(const JointSpec& joint);
     [[nodiscard]] bool isCaster(const JointSpec& joint);
+    [[nodiscard]] bool hasRollingFriction(const GeomSpec& geom) const;
     [[nodiscard]] bool isOnGround(const char* kind, const JointSpec& joint, double bottom);
     [[nodiscard]] bool isWhole();
     [[nodiscard]] bool areJointsOfRigid();
@@ -122,6 +88,7 @@ private:
     void addSlider(std::uint32_t body, std::uint32_t geom, const GeomSpec& spec, const Vec3& centre);
     [[nodiscard]] bool standsOnSupports();
     [[nodiscard]] bool readLoose();
+    [[nodiscard]] bool restsOnBase(double low);
     void setStiffness();
     [[nodiscard]] bool refuse(std::string reason, SourceRange range);
     [[nodiscard]] const BodySpec& body(std::uint32_t index) const { return *m_actor->bodies[index].spec; }

@@ -50,7 +50,7 @@ private:
     const WheeledObjects& m_objects;
     const UnitContacts& m_contacts;
     double m_h = 1;
-    mutable bool m_ready = false, m_filed = false, m_linked = false;
+    mutable bool m_ready = true, m_filed = false, m_linked = false; ///< nothing touches before the first tick
     mutable std::vector<EngineContact> m_all;
     mutable std::vector<Head> m_heads; ///< by geom
     mutable std::vector<Next> m_next;  ///< by contact of m_contacts

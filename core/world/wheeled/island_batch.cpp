@@ -3,19 +3,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "world/wheeled/wheeled_motion.h"
+
 namespace trundle {
 
 namespace {
 
 enum { VX, VY, WX, WY, WZ };
 
-constexpr int kMostTogether = 20;         // sweeps
-constexpr std::size_t kMostBlocks = 3;    // with their contacts they fit the first level of the cache
-constexpr double kSettledTogether = 1e-3; // of the weight's impulse in a tick
-constexpr double kSlop = 1e-4;            // m
-constexpr double kPushShare = 0.2;        // of the depth, per tick
-constexpr double kFastestPush = 0.1;      // m/s
-constexpr double kLeastBounce = 0.05;     // m/s
+constexpr int kMostTogether = 20;              // sweeps
+constexpr std::size_t kMostBlocks = 3;         // with their contacts they fit the first level of the cache
+constexpr double kSettledTogether = 1e-3;      // of the weight's impulse in a tick
+constexpr double kSlop = 1e-4;                 // m
+constexpr double kPushShare = 0.2;             // of the depth, per tick
+constexpr double kFastestPush = 0.1;           // m/s
+constexpr double kLeastBounce = 0.05;          // m/s
+constexpr int kMostTakeOuts = 20;              // sweeps
+constexpr int kSlideSteps = 3, kTurnSteps = 6; // of Newton's method for friction at its limit
 
 using Pair = double __attribute__((vector_size(16)));
 
@@ -60,6 +64,33 @@ double product(const VehiclePush& push) {
 
 template <class L> auto& speedOf(L& loose, std::size_t component) { return loose.v[component * kVehicleLanes]; }
 
+/// The square of the limit on whose surface friction is that slides and turns with these squares.
+double limitSquareOf(double slides, double spins) {
+    const double sum = slides + spins;
+    return sum > 0 ? sum * (1 + std::sqrt(1 + 4 * slides * spins / (sum * sum))) / 2 : 0;
+}
+
+/// The impulse of the ground's friction from the one that would end all slip: translation f and turning m, scaled by their limit and a lever,
+/// share one limit surface (S. Goyal et al., Planar sliding with dry friction, Wear 143, 1991): f^2 + m^2 + f^2 m^2 = 1, which is that of a
+/// ring within 1 %. What slips does so along its normal. `k`, `kw`: what an impulse changes.
+Vec3 withinLimit(const Vec3& wanted, double k, double kw, double limit) {
+    double x = wanted.x(), y = wanted.y(), w = wanted.z(), square = limitSquareOf(x * x + y * y, w * w);
+    if (!(square > limit * limit)) return wanted;
+    const double bx = x * k, by = y * k, bw = w * kw;
+    double add = 0;
+    const int steps = w == 0 ? kSlideSteps : kTurnSteps;
+    for (int i = 0; i < steps && limit > 0; ++i) {
+        const double slides = x * x + y * y, spins = w * w, along = 1 + spins / square, about = 1 + slides / square;
+        const double slope = slides * along / (k + add * along) + spins * about / (kw + add * about), length = std::sqrt(square);
+        add = std::max(add + (length / limit - 1) * square / slope, 0.);
+        x = bx / (k + add * along);
+        y = by / (k + add * along);
+        w = bw / (kw + add * about);
+        square = limitSquareOf(x * x + y * y, w * w);
+    }
+    return limit / std::sqrt(square) * Vec3(x, y, w);
+}
+
 } // namespace
 
 void IslandBatch::begin(const Vec3& gravity, double h) {
@@ -103,7 +134,7 @@ void IslandBatch::place(std::uint32_t unit) {
     block.units.push_back(unit);
 }
 
-/// Speeds before the ground and others hold it. A ball rolls: its turning moves with it.
+/// Speeds before the ground and others hold it. A ball rolls: its turning moves with it, and what turns it moves it.
 IslandBatch::Loose IslandBatch::looseOf(std::uint32_t unit) const {
     const WheeledUnit& u = m_objects.units[unit];
     const ActorShape& s = *u.shape;
@@ -111,13 +142,14 @@ IslandBatch::Loose IslandBatch::looseOf(std::uint32_t unit) const {
     Loose out;
     out.unit = unit;
     const bool ball = s.kind == ActorKind::Ball;
-    const double load = -m_tick.gravity[2] * s.mass * m_tick.h;
+    const double load = std::max(-m_tick.gravity[2] * s.mass - u.force.z(), 0.) * m_tick.h;
     out.mass = ball ? s.mass + s.inertia(2, 2) / (s.spinRadius * s.spinRadius) : s.mass;
     out.inertia = ball ? 0 : s.inertia(2, 2);
     out.reach = ball ? 0 : s.spinRadius;
     out.limit = load * (ball ? std::max(own.rollingFriction, floor.rollingFriction) / s.spinRadius
                              : std::min(own.friction, floor.friction));
-    const Vec3 v = u.linear + m_tick.h * (u.force / out.mass + s.mass / out.mass * Vec3(m_tick.gravity));
+    const Vec3 push = ball ? Vec3(u.force + Vec3(u.moment.y(), -u.moment.x(), 0) / s.spinRadius) : u.force;
+    const Vec3 v = u.linear + m_tick.h * (push / out.mass + s.mass / out.mass * Vec3(m_tick.gravity));
     speedOf(out, VX) = v.x();
     speedOf(out, VY) = v.y();
     speedOf(out, WZ) = ball ? 0 : u.angular.z() + m_tick.h * u.moment.z() / out.inertia;
@@ -142,37 +174,21 @@ void IslandBatch::solveLoose(std::uint32_t unit) {
     Loose loose = looseOf(unit);
     for (int i = 0; i < 2; ++i) (void)hold(loose, u.grip);
     writeBack(loose);
+    moveOn(u, m_tick.h);
 }
 
-/// Friction of the ground: translation and turning share one ellipsoid (S. Goyal et al., Planar sliding with dry friction, Wear 143, 1991);
-/// the turning is scaled by `reach`.
+/// Friction of the ground, which may slip.
 double IslandBatch::hold(Loose& loose, Vec3& grip) {
     const bool turns = loose.reach > 0;
     const double k = 1 / loose.mass, kw = turns ? loose.reach * loose.reach / loose.inertia : 1;
-    double x = grip.x() - speedOf(loose, VX) / k, y = grip.y() - speedOf(loose, VY) / k,
-           w = turns ? grip.z() - speedOf(loose, WZ) * loose.reach / kw : 0;
-    double square = x * x + y * y + w * w;
-    if (square > loose.limit * loose.limit) {
-        const double bx = x * k, by = y * k, bw = w * kw;
-        double add = 0;
-        for (int i = 0; i < 3 && loose.limit > 0; ++i) {
-            const double slope = (x * x + y * y) / (k + add) + w * w / (kw + add), length = std::sqrt(square);
-            add = std::max(add + (length / loose.limit - 1) * square / slope, 0.);
-            x = bx / (k + add);
-            y = by / (k + add);
-            w = bw / (kw + add);
-            square = x * x + y * y + w * w;
-        }
-        const double scale = loose.limit / std::sqrt(square);
-        x *= scale;
-        y *= scale;
-        w *= scale;
-    }
-    speedOf(loose, VX) += (x - grip.x()) * k;
-    speedOf(loose, VY) += (y - grip.y()) * k;
-    if (turns) speedOf(loose, WZ) += (w - grip.z()) * kw / loose.reach;
-    const double change = (Vec3(x, y, w) - grip).cwiseAbs().maxCoeff();
-    grip = {x, y, w};
+    const Vec3 wanted(grip.x() - speedOf(loose, VX) / k, grip.y() - speedOf(loose, VY) / k,
+                      turns ? grip.z() - speedOf(loose, WZ) * loose.reach / kw : 0);
+    const Vec3 held = withinLimit(wanted, k, kw, loose.limit);
+    speedOf(loose, VX) += (held.x() - grip.x()) * k;
+    speedOf(loose, VY) += (held.y() - grip.y()) * k;
+    if (turns) speedOf(loose, WZ) += (held.z() - grip.z()) * kw / loose.reach;
+    const double change = (held - grip).cwiseAbs().maxCoeff();
+    grip = held;
     return change;
 }
 
@@ -231,8 +247,11 @@ void IslandBatch::addRows(UnitContact& c) {
         row.tangentMass = 1 / (product(row.a.tangent) + product(row.b.tangent));
         const double depth = -point.gap, closing = (velocityAt(c.a, point.at) - velocityAt(c.b, point.at)).dot(normal);
         row.bias = depth > 0 ? std::min(kPushShare * std::max(depth - kSlop, 0.) / m_tick.h, kFastestPush) : depth / m_tick.h;
-        if (c.restitution > 0 && closing > kLeastBounce && closing * m_tick.h > -depth)
-            row.bias = std::max(row.bias, c.restitution * closing);
+        row.kept = std::min(row.bias, 0.);
+        if (c.restitution > 0 && closing > kLeastBounce && closing * m_tick.h > -depth) {
+            row.kept = c.restitution * closing;
+            row.bias = std::max(row.bias, row.kept);
+        }
         row.friction = c.friction;
         row.normal = point.normal;
         row.tangent = point.tangent;
@@ -292,7 +311,7 @@ void IslandBatch::solve() {
     std::size_t open = m_islands.size();
     for (int i = 0; i < kMostTogether && open > 0; ++i) {
         for (std::size_t b = 0; b < m_blockCount; ++b)
-            if (m_blocks[b].open > 0) m_kernel.sweep(*m_blocks[b].lanes, m_objects.models[m_blocks[b].model], i % 2 != 0);
+            if (m_blocks[b].open > 0) m_kernel.sweep(*m_blocks[b].lanes, m_objects.models[m_blocks[b].model], i);
         for (Island& island : m_islands) {
             if (!island.isOpen || (sweep(island, i % 2 != 0) >= island.settled && i + 1 < kMostTogether) || i == 0) continue;
             settle(island);
@@ -331,6 +350,45 @@ void IslandBatch::settle(Island& island) {
     }
 }
 
+/// What is deep in something is pushed out in this tick and does not keep the speed of that: as much of its impulse as gave that
+/// speed is taken back once all have moved on. Wheels keep their spins; the next tick evens out the little that they hold.
+void IslandBatch::takeOutPushes(const Island& island) {
+    const std::span rows(m_rows.begin() + static_cast<std::ptrdiff_t>(island.rows.first), island.rows.last - island.rows.first);
+    if (std::ranges::none_of(rows, [](const ContactRow& row) { return row.bias > row.kept && row.normal > 0; })) return;
+    const std::span units(m_units.begin() + static_cast<std::ptrdiff_t>(island.units.first),
+                          island.units.last - island.units.first);
+    const auto eachVehicle = [&](auto use) {
+        for (const std::uint32_t unit : units)
+            if (m_objects.units[unit].isVehicle())
+                use(*m_blocks[m_place[unit].block].lanes, m_place[unit].lane, m_objects.units[unit]);
+    };
+    eachVehicle([](VehicleBlock& block, std::size_t lane, WheeledUnit&) {
+        for (std::size_t k = 0; k < 6; ++k) block.v[k][lane] = block.keptV[k][lane];
+    });
+    double change = island.settled;
+    for (int i = 0; i < kMostTakeOuts && change >= island.settled; ++i) {
+        change = 0;
+        for (std::size_t k = 0; k < rows.size(); ++k)
+            change = std::max(change, takeOut(rows[i % 2 != 0 ? rows.size() - 1 - k : k]));
+    }
+    for (ContactRow& row : rows) row.normal -= row.taken;
+    eachVehicle(storeSpeeds);
+    for (std::size_t k = island.loose.first; k < island.loose.last; ++k) writeBack(m_loose[k]);
+}
+
+/// The change of what is taken of its impulse.
+double IslandBatch::takeOut(ContactRow& row) {
+    ContactVelocity a(row.va), b(row.vb);
+    const double speed = b.speed(row.b.normal) - a.speed(row.a.normal), before = row.taken;
+    row.taken = std::clamp(before + (speed - row.kept) * row.normalMass, 0., row.normal);
+    const double change = row.taken - before;
+    a.push(row.a.normal, change);
+    b.push(row.b.normal, -change);
+    a.write();
+    b.write();
+    return std::abs(change);
+}
+
 void IslandBatch::finish() {
     for (std::size_t b = 0; b < m_blockCount; ++b) {
         Block& block = m_blocks[b];
@@ -338,7 +396,11 @@ void IslandBatch::finish() {
         for (std::size_t lane = 0; lane < block.units.size(); ++lane)
             storeVehicle(*block.lanes, lane, m_objects, block.units[lane]);
     }
-    for (const Loose& loose : m_loose) writeBack(loose);
+    for (const Loose& loose : m_loose) {
+        writeBack(loose);
+        moveOn(m_objects.units[loose.unit], m_tick.h);
+    }
+    for (const Island& island : m_islands) takeOutPushes(island);
     auto row = m_rows.begin();
     for (const std::uint32_t c : m_contactList)
         for (UnitContactPoint& point : m_contacts.all()[c].points()) {

@@ -23,10 +23,10 @@ public:
     /// Units and contacts (indices) of one island, ascending.
     void add(std::span<const std::uint32_t> units, std::span<const std::uint32_t> contacts);
     [[nodiscard]] bool isFull() const;
-    /// New velocities and impulses; vehicles move on. Then it is empty.
+    /// New velocities and impulses; all move on. Then it is empty.
     void solve();
 
-    /// A loose body that touches nothing.
+    /// A loose body that touches nothing: it moves on.
     void solveLoose(std::uint32_t unit);
 
 private:
@@ -41,6 +41,7 @@ private:
         VehiclePushes a, b;
         double normalMass = 0, tangentMass = 0; ///< kg
         double bias = 0, friction = 0, normal = 0, tangent = 0;
+        double kept = 0, taken = 0; ///< of bias, the speed that remains after the tick; the impulse that gave the rest of it, N s
     };
     struct Range {
         std::size_t first = 0, last = 0;
@@ -72,6 +73,8 @@ private:
     [[nodiscard]] static double solveContact(ContactRow& row);
     [[nodiscard]] double sweep(const Island& island, bool backwards);
     void settle(Island& island);
+    void takeOutPushes(const Island& island);
+    [[nodiscard]] static double takeOut(ContactRow& row);
     void finish();
     void writeBack(const Loose& loose);
 

@@ -28,22 +28,6 @@ Vec2 onCircle(int sixteenth) {
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Counter-clockwise, without points on its edges (A. M. Andrew, 1979).
-std::vector<Vec2> hullOf(std::vector<Vec2> points) {
-    std::ranges::sort(points, [](const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
-    std::vector<Vec2> hull;
-    const auto add = [&hull](const Vec2& p, std::size_t least) {
-        while (hull.size() > least && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= kSame * kSame)
-            hull.pop_back();
-        if (hull.empty() || (p - hull.back()).squaredNorm() > kSame * kSame) hull.push_back(p);
-    };
-    for (const Vec2& p : points) add(p, 1);
-    const std::size_t lower = hull.size();
-    for (auto p = points.rbegin(); p != points.rend(); ++p) add(*p, lower);
-    while (hull.size() > 1 && (hull.back() - hull.front()).squaredNorm() <= kSame * kSame) hull.pop_back();
-    return hull;
-}
-
 /// Points whose hull is the shape's, in its own frame; for round ones a prism of sixteen sides.
 std::vector<Vec3> pointsOf(const GeomSpec& geom) {
     std::vector<Vec3> points;
@@ -210,6 +194,27 @@ PlanarTouch inWorld(PlanarTouch touch, const PlanarPose& frame) {
 
 } // namespace
 
+/// Method: the monotone chain of A. M. Andrew (1979).
+std::vector<Vec2> convexHullOf(std::vector<Vec2> points) {
+    std::ranges::sort(points, [](const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
+    std::vector<Vec2> hull;
+    const auto add = [&hull](const Vec2& p, std::size_t least) {
+        while (hull.size() > least && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= kSame * kSame)
+            hull.pop_back();
+        if (hull.empty() || (p - hull.back()).squaredNorm() > kSame * kSame) hull.push_back(p);
+    };
+    for (const Vec2& p : points) add(p, 1);
+    const std::size_t lower = hull.size();
+    for (auto p = points.rbegin(); p != points.rend(); ++p) add(*p, lower);
+    while (hull.size() > 1 && (hull.back() - hull.front()).squaredNorm() <= kSame * kSame) hull.pop_back();
+    return hull;
+}
+
+void addPointsBelow(const GeomSpec& geom, const Pose& pose, double height, std::vector<Vec2>& to) {
+    for (const Vec3& p : pointsOf(geom))
+        if (const Vec3 at = pose * p; at.z() <= height) to.emplace_back(at.x(), at.y());
+}
+
 Result<PlanarShape> planarShapeOf(const GeomSpec& geom, const Pose& pose) {
     PlanarShape out;
     out.surface = geom.surface;
@@ -234,7 +239,7 @@ Result<PlanarShape> planarShapeOf(const GeomSpec& geom, const Pose& pose) {
         out.low = std::min(out.low, at.z());
         out.high = std::max(out.high, at.z());
     }
-    out.corners = hullOf(std::move(points));
+    out.corners = convexHullOf(std::move(points));
     if (out.corners.size() < 3 || out.corners.size() > kMostCorners)
         return Error{Code::NotInEngine, "its shape has no footprint"};
     for (std::size_t i = 0; i < out.corners.size(); ++i) {

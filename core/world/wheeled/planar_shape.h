@@ -40,6 +40,11 @@ struct PlanarShape {
 /// that has none (planes, height maps, open meshes).
 [[nodiscard]] Result<PlanarShape> planarShapeOf(const GeomSpec& geom, const Pose& pose);
 
+/// Adds the corners of a geom at a pose that are at most that high, over x and y; of a round one those of a prism inside it.
+void addPointsBelow(const GeomSpec& geom, const Pose& pose, double height, std::vector<Vec2>& to);
+/// Counter-clockwise, without points on its edges.
+[[nodiscard]] std::vector<Vec2> convexHullOf(std::vector<Vec2> points);
+
 /// Where two footprints touch or nearly do. Heights are not looked at.
 struct PlanarTouch {
     int count = 0;           ///< of the points, at most 2

@@ -13,7 +13,6 @@ constexpr double kFar = 1e300;      // m
 constexpr double kSamePoint = 0.02; // m
 constexpr double kLeastOverlap = 1e-4; // m, of heights
 constexpr double kTall = 0.005;        // m
-constexpr std::size_t kUnitsOfThread = 16; // at least
 
 /// m that a vehicle is displaced per metre above its centre of mass.
 Vec2 leanOf(const WheeledUnit& unit) {

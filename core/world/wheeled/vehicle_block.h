@@ -21,7 +21,8 @@ struct VehicleModel {
         double way[2] = {}, lever = 0, friction = 0; ///< as Support says; friction with the ground
         int wheel = 0;
         bool round = true;
-        double load = 0; ///< N, of a planar vehicle
+        double load = 0;    ///< N, of a planar vehicle
+        double rolling = 0; ///< as Support says
     };
     bool planar = false;                     ///< no motion but vx, vy and wz: inverseInertia has zz alone, loads do not change
     int supportCount = 0, wheelCount = 0;    ///< wheel i is at support i
@@ -46,7 +47,8 @@ struct VehicleSupportRow {
     VehicleField ax, ay, change[3], inverse, bias, normal; ///< of the normal: arm, change of the angular velocity; the impulse
     VehicleWay way, across;
     VehicleField coupling, alongImpulse, acrossImpulse;
-    VehicleField cone; ///< what makes the impulse of a tread that slips as large as friction allows, 1/kg (ontoCone())
+    VehicleField cone;     ///< what makes the impulse of a tread that slips as large as friction allows, 1/kg (ontoCone())
+    VehicleField start[2]; ///< of a ball that turns freely: speeds of its middle after the last tick, along and across
     VehicleField keptNormal, keptAlong, keptAcross, keptCone;
 };
 
@@ -81,7 +83,8 @@ struct VehicleKernel {
     int lanes;
     /// Rows, and speeds with the impulses of the last tick.
     void (*prepare)(VehicleBlock& block, const VehicleModel& model, const VehicleTick& tick);
-    void (*sweep)(VehicleBlock& block, const VehicleModel& model, bool backwards);
+    /// The sweep with this number in the tick: every second one runs backwards.
+    void (*sweep)(VehicleBlock& block, const VehicleModel& model, int number);
     /// Keeps what the chosen lanes have come to.
     void (*keep)(VehicleBlock& block, const VehicleModel& model, const bool* lanes);
     /// Sweeps each lane until it changes by less than `settled`, at most `sweeps` times, and keeps it.

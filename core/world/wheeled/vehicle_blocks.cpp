@@ -2,34 +2,15 @@
 
 #include <algorithm>
 
+#include "world/wheeled/loads_at_rest.h"
+
 namespace trundle {
 
 static_assert(kVehicleRows == kMostSupports);
 
 namespace {
 
-/// Shares of the weight on supports that give way alike, as those of the general engine do: load = a + b x + c y. One that would pull
-/// carries nothing.
-std::vector<double> loadsAtRest(std::span<const Support> supports) {
-    std::vector<double> loads(supports.size(), 0);
-    std::vector<bool> carries(supports.size(), true);
-    const auto at = [&](std::size_t i) { return Vec3(1, supports[i].centre.x(), supports[i].centre.y()); };
-    for (bool again = true; again;) {
-        again = false;
-        Mat3 sums = Mat3::Zero();
-        for (std::size_t i = 0; i < supports.size(); ++i)
-            if (carries[i]) sums += at(i) * at(i).transpose();
-        const Vec3 slope = sums.completeOrthogonalDecomposition().solve(Vec3::UnitX()); // all may be on one line
-        for (std::size_t i = 0; i < supports.size(); ++i) {
-            loads[i] = carries[i] ? at(i).dot(slope) : 0;
-            if (loads[i] >= 0) continue;
-            loads[i] = 0;
-            carries[i] = false;
-            again = true;
-        }
-    }
-    return loads;
-}
+constexpr double kUsualGravity = 9.81; // m/s^2, for which shapes have their stiffness
 
 } // namespace
 
@@ -42,10 +23,13 @@ VehicleModel vehicleModel(const ActorShape& shape, const WheeledObjects& objects
     const Mat3 inverse = objects.planar ? Mat3(Vec3(0, 0, 1 / shape.inertia(2, 2)).asDiagonal()) : Mat3(shape.inertia.inverse());
     const double parts[6] = {inverse(0, 0), inverse(0, 1), inverse(0, 2), inverse(1, 1), inverse(1, 2), inverse(2, 2)};
     std::ranges::copy(parts, model.inverseInertia);
-    model.stiffness = shape.stiffness;
-    model.damping = shape.damping;
+    const double heavier = std::max(1., objects.weight / kUsualGravity); // it sags no more, and nothing sinks in
+    model.stiffness = heavier * shape.stiffness;
+    model.damping = heavier * shape.damping;
     for (std::size_t i = 0; i < shape.wheels.size(); ++i) model.wheelDamping[i] = shape.wheels[i].damping;
-    const std::vector<double> loads = loadsAtRest(shape.supports);
+    std::vector<Vec2> points;
+    for (const Support& s : shape.supports) points.emplace_back(s.centre.head<2>());
+    const std::vector<double> loads = loadsAtRest(points);
     for (std::size_t i = 0; i < shape.supports.size(); ++i) {
         const Support& s = shape.supports[i];
         model.supports[i] = {{s.centre.x(), s.centre.y(), s.centre.z()},
@@ -55,7 +39,8 @@ VehicleModel vehicleModel(const ActorShape& shape, const WheeledObjects& objects
                              objects.friction(s.surface, objects.ground->surface()),
                              static_cast<int>(s.wheel),
                              s.round,
-                             loads[i] * shape.mass * objects.weight};
+                             loads[i] * shape.mass * objects.weight,
+                             s.rolling};
     }
     return model;
 }
@@ -122,8 +107,8 @@ void storeVehicle(const VehicleBlock& block, std::size_t lane, WheeledObjects& o
     unit.angular = vectorIn(block.angular, lane);
     for (int i = 0; i < model.supportCount; ++i) {
         const VehicleSupportRow& row = block.supports[i];
-        objects.supports[unit.supports + static_cast<std::uint32_t>(i)] = {row.keptNormal[lane], row.keptAlong[lane], row.keptAcross[lane],
-                                                                           row.keptCone[lane]};
+        objects.supports[unit.supports + static_cast<std::uint32_t>(i)] = {row.keptNormal[lane], row.keptAlong[lane],
+                                                                           row.keptAcross[lane], row.keptCone[lane]};
     }
     for (int i = 0; i < model.wheelCount; ++i) {
         const VehicleWheelRow& row = block.wheels[i];
@@ -135,6 +120,13 @@ void storeVehicle(const VehicleBlock& block, std::size_t lane, WheeledObjects& o
         wheel.halfCosine = row.halfCosine[lane];
         wheel.halfSine = row.halfSine[lane];
     }
+}
+
+void storeSpeeds(const VehicleBlock& block, std::size_t lane, WheeledUnit& unit) {
+    const double c = block.middleC[lane], s = block.middleS[lane];
+    const auto v = [&](int k) { return block.v[k][lane]; }; // vx, vy, wx, wy, wz, vz
+    unit.linear = {c * v(0) - s * v(1), s * v(0) + c * v(1), v(5)};
+    unit.angular = {c * v(2) - s * v(3), s * v(2) + c * v(3), v(4)};
 }
 
 VehiclePushes pushesAt(const VehicleBlock& block, std::size_t lane, double mass, const Vec3& arm, const Vec2& normal) {

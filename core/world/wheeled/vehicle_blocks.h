@@ -16,6 +16,9 @@ void loadVehicles(VehicleBlock& block, const WheeledObjects& objects, std::span<
 /// The state of one lane after the tick.
 void storeVehicle(const VehicleBlock& block, std::size_t lane, WheeledObjects& objects, std::uint32_t unit);
 
+/// Its velocities alone, from those in the lane.
+void storeSpeeds(const VehicleBlock& block, std::size_t lane, WheeledUnit& unit);
+
 /// Speed of a point of the vehicle along a level direction, and what an impulse there does.
 struct VehiclePush {
     alignas(16) double row[6] = {}, change[6] = {}; ///< vx, vy, wx, wy, wz, and a zero

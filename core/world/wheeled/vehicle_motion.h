@@ -75,8 +75,8 @@ void prepareBlock(VehicleBlock& b, const VehicleModel& m, const VehicleTick& t) 
     b.soft = 1 / (t.h * (t.h * m.stiffness + m.damping));
     for (int o = 0; o < kVehicleLanes; o += TRUNDLE_LANES) prepareLanes(b, o, m, t);
 }
-void sweepBlock(VehicleBlock& b, const VehicleModel& m, bool backwards) {
-    for (int o = 0; o < kVehicleLanes; o += TRUNDLE_LANES) sweepLanes(b, o, m, backwards);
+void sweepBlock(VehicleBlock& b, const VehicleModel& m, int number) {
+    for (int o = 0; o < kVehicleLanes; o += TRUNDLE_LANES) sweepLanes(b, o, m, number);
 }
 void keepBlock(VehicleBlock& b, const VehicleModel& m, const bool* lanes) {
     for (int o = 0; o < kVehicleLanes; o += TRUNDLE_LANES) {

@@ -116,6 +116,29 @@ inline void prepareFriction(VehicleSupportRow& row, int o, const VehicleModel::S
     if (s.round) apply(row.across, o, load(row.acrossImpulse + o), v);
 }
 
+/// A ball that turns freely in its socket grips the ground and holds the vehicle at its middle, no more than by what its turning
+/// takes: an impulse of `rolling` times the change of its speed. `before`: speeds after the last tick, since which its arm has turned.
+inline void prepareRolling(VehicleSupportRow& row, int o, double rolling, const Lanes3& centre, const Lanes* before, double h) {
+    const Lanes turned = h * before[WZ] * before[WZ];
+    VehicleWay* ways[2] = {&row.way, &row.across};
+    for (int k = 0; k < 2; ++k) {
+        VehicleWay& way = *ways[k];
+        store(way.inverse + o, 1 / (load(way.mass + o) + 1 / rolling));
+        store(row.start[k] + o, speed(way, o, before) + turned * (load(way.x + o) * centre.x + load(way.y + o) * centre.y));
+    }
+}
+
+/// After the last tick, in the axes of its heading.
+inline void lastSpeeds(const VehicleBlock& b, int o, Lanes* v) {
+    const Lanes c = load(b.middleC + o), s = load(b.middleS + o);
+    const Lanes x = load(b.linear[0] + o), y = load(b.linear[1] + o), wx = load(b.angular[0] + o), wy = load(b.angular[1] + o);
+    v[VX] = c * x + s * y;
+    v[VY] = c * y - s * x;
+    v[WX] = c * wx + s * wy;
+    v[WY] = c * wy - s * wx;
+    v[WZ] = load(b.angular[2] + o);
+}
+
 inline void prepareLanes(VehicleBlock& b, int o, const VehicleModel& m, const VehicleTick& t) {
     const double h = t.h, inverseMass = 1 / m.mass;
     const Axes axes = headingAxes(b, o);
@@ -125,6 +148,8 @@ inline void prepareLanes(VehicleBlock& b, int o, const VehicleModel& m, const Ve
     for (int k = 0; k < 6; ++k) store(b.inverse[k] + o, parts[k]);
     Lanes v[6];
     startSpeeds(b, o, m, t, inverse, v);
+    Lanes before[6] = {};
+    lastSpeeds(b, o, before);
     const Lanes height = load(b.height + o);
     for (int i = 0; i < m.supportCount; ++i) {
         const VehicleModel::Support& s = m.supports[i];
@@ -133,7 +158,9 @@ inline void prepareLanes(VehicleBlock& b, int o, const VehicleModel& m, const Ve
         const Lanes3 arm{centre.x, centre.y, centre.z - s.radius};
         if (m.planar) store(row.normal + o, all(h * s.load));
         else prepareNormal(row, o, m, inverse, arm, s.radius - (height + centre.z), h, v);
-        if (s.friction > 0) prepareFriction(row, o, s, inverse, axes, arm, inverseMass, v);
+        const bool rolls = s.rolling > 0;
+        if (s.friction > 0) prepareFriction(row, o, s, inverse, axes, rolls ? centre : arm, inverseMass, v);
+        if (s.friction > 0 && rolls) prepareRolling(row, o, s.rolling, centre, before, h);
     }
     for (int i = 0; i < m.wheelCount; ++i) {
         const VehicleModel::Support& s = m.supports[i];

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kLeast = 1e-12;
 constexpr int kPieceSteps = 3;
+constexpr int kWholeSteps = 12; // sweeps: friction at its limit takes half steps after them
 
 inline Lanes solveNormal(VehicleSupportRow& row, int o, double soft, double inverseMass, Lanes* v) {
     const Lanes impulse = load(row.normal + o);
@@ -22,15 +23,18 @@ inline Lanes solveNormal(VehicleSupportRow& row, int o, double soft, double inve
 
 /// From the impulse that would end the slip to the one on the circle of radius `limit` that opposes the slip left over: (k + add) l = b,
 /// |l| = limit, for 1/k = i1, i2. One step of Newton's method on 1/|l| for each sweep: `add` is that of the last one, and what its
-/// solution misses is scaled away.
+/// solution misses is scaled away. It starts from at most |b| / limit, the solution for k = 0: `add` is much larger where the support
+/// carried next to nothing, and would take one sweep after another to come down.
 inline void ontoCone(Lanes& along, Lanes& across, Lanes& add, Lanes i1, Lanes i2, Lanes limit) {
-    const Lanes radius = most(limit, all(kLeast)), tiny = all(kLeast * kLeast);
+    const Mask none = limit < kLeast;
+    const Lanes radius = most(limit, all(kLeast)), tiny = all(kLeast * kLeast), bx = along / i1, by = across / i2;
+    add = least(add, root(bx * bx + by * by) / radius);
     const Lanes w1 = 1 + add * i1, w2 = 1 + add * i2, both = 1 / (w1 * w2);
     const Lanes x = along * (w2 * both), y = across * (w1 * both), square = most(x * x + y * y, tiny), length = root(square);
     const Lanes slope = (x * x * i1 * w2 + y * y * i2 * w1) * both, scale = radius / length;
-    add = most(add + (length - radius) * square / (radius * most(slope, tiny)), all(0));
-    along = x * scale;
-    across = y * scale;
+    add = select(none, all(0), most(add + (length - radius) * square / (radius * most(slope, tiny)), all(0)));
+    along = select(none, all(0), x * scale);
+    across = select(none, all(0), y * scale);
 }
 
 /// The change of the impulse along after which the tread does not slip, with the motor's answer; `inverse`: of the mass of both.
@@ -51,7 +55,27 @@ inline Lanes solveAlong(const VehicleSupportRow& row, const VehicleWheelRow* whe
     return change;
 }
 
-inline Lanes solveFriction(VehicleSupportRow& row, VehicleWheelRow* wheel, int o, const VehicleModel::Support& s, Lanes* v) {
+/// Of a ball that turns freely (prepareRolling()).
+inline Lanes solveRolling(VehicleSupportRow& row, int o, const VehicleModel::Support& s, Lanes* v) {
+    const double give = 1 / s.rolling;
+    const Lanes limit = s.friction * load(row.normal + o), x = load(row.alongImpulse + o), y = load(row.acrossImpulse + o);
+    const Lanes along = (load(row.start[0] + o) - give * x - speed(row.way, o, v)) * load(row.way.inverse + o),
+                slip = speed(row.across, o, v) + load(row.coupling + o) * along,
+                across = (load(row.start[1] + o) - give * y - slip) * load(row.across.inverse + o);
+    const Lanes square = (x + along) * (x + along) + (y + across) * (y + across);
+    const Mask slips = square > limit * limit;
+    const Lanes scale = select(slips, limit / root(select(slips, square, all(1))), all(1));
+    const Lanes toAlong = scale * (x + along), toAcross = scale * (y + across);
+    store(row.alongImpulse + o, toAlong);
+    store(row.acrossImpulse + o, toAcross);
+    apply(row.way, o, toAlong - x, v);
+    apply(row.across, o, toAcross - y, v);
+    return most(size(toAlong - x), size(toAcross - y));
+}
+
+/// `step`: the part of its change that friction at its limit makes.
+inline Lanes solveFriction(VehicleSupportRow& row, VehicleWheelRow* wheel, int o, const VehicleModel::Support& s, double step,
+                           Lanes* v) {
     const Lanes limit = s.friction * load(row.normal + o), before = load(row.alongImpulse + o);
     const Lanes free = speed(row.way, o, v);
     Lanes inverse, along = solveAlong(row, wheel, o, s.lever, free, inverse), across = all(0);
@@ -70,8 +94,8 @@ inline Lanes solveFriction(VehicleSupportRow& row, VehicleWheelRow* wheel, int o
             }
             ontoCone(to, toAcross, add, inverse, inverseAcross, limit);
             store(row.cone + o, select(slips, add, load(row.cone + o)));
-            along = select(slips, to - before, along);
-            across = select(slips, toAcross - beforeAcross, across);
+            along = select(slips, step * (to - before), along);
+            across = select(slips, step * (toAcross - beforeAcross), across);
         }
         store(row.acrossImpulse + o, beforeAcross + across);
         apply(row.across, o, across, v);
@@ -82,7 +106,11 @@ inline Lanes solveFriction(VehicleSupportRow& row, VehicleWheelRow* wheel, int o
     return most(size(along), size(across));
 }
 
-inline void sweepLanes(VehicleBlock& b, int o, const VehicleModel& m, bool backwards) {
+/// `number`: of the sweep in this tick. Loads that follow friction and friction that follows them may rise and fall for ever where the
+/// centre of mass is high; in half steps they come to rest.
+inline void sweepLanes(VehicleBlock& b, int o, const VehicleModel& m, int number) {
+    const bool backwards = number % 2 != 0;
+    const double step = number < kWholeSteps ? 1 : 0.5;
     Lanes v[6], change = all(0);
     for (int k = 0; k < 6; ++k) v[k] = load(b.v[k] + o);
     const double inverseMass = 1 / m.mass, soft = b.soft;
@@ -92,8 +120,9 @@ inline void sweepLanes(VehicleBlock& b, int o, const VehicleModel& m, bool backw
     for (int q = 0; q < count; ++q) {
         const int i = backwards ? count - 1 - q : q;
         const VehicleModel::Support& s = m.supports[i];
-        if (s.friction > 0)
-            change = most(change, solveFriction(b.supports[i], s.lever != 0 ? &b.wheels[s.wheel] : nullptr, o, s, v));
+        if (s.friction > 0 && s.rolling > 0) change = most(change, solveRolling(b.supports[i], o, s, v));
+        else if (s.friction > 0)
+            change = most(change, solveFriction(b.supports[i], s.lever != 0 ? &b.wheels[s.wheel] : nullptr, o, s, step, v));
     }
     for (int k = 0; k < 6; ++k) store(b.v[k] + o, v[k]);
     store(b.change + o, change);
@@ -115,7 +144,7 @@ inline void keepLanes(VehicleBlock& b, int o, const VehicleModel& m, Mask chosen
 inline void settleLanes(VehicleBlock& b, int o, const VehicleModel& m, double settled, int sweeps) {
     Mask open = all(0) == all(0);
     for (int i = 0; i < sweeps && any(open); ++i) {
-        sweepLanes(b, o, m, i % 2 != 0);
+        sweepLanes(b, o, m, i);
         if (i == 0) continue;
         const Mask now = open & (load(b.change + o) < settled);
         if (any(now)) keepLanes(b, o, m, now);

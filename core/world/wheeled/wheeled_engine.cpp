@@ -11,7 +11,6 @@ namespace trundle {
 
 namespace {
 
-constexpr std::size_t kUnitsOfThread = 16; // at least
 constexpr std::string_view kLeavesGround = "it leaves the ground", kLeans = "it leans by more than 20 degrees";
 constexpr double kFarthest = 1e5;        // m
 constexpr double kFastest = 200;  // m/s
@@ -20,11 +19,12 @@ constexpr double kLeastUpright = 0.94; // cosine of 20 degrees: a robot that is 
 
 } // namespace
 
-Result<std::unique_ptr<Engine>> makeWheeledEngine(const EngineSettings& settings, bool planar) {
-    return std::unique_ptr<Engine>(std::make_unique<WheeledEngine>(settings, planar));
+Result<std::unique_ptr<Engine>> makeWheeledEngine(const EngineSettings& settings, bool planar, std::optional<double> ground) {
+    return std::unique_ptr<Engine>(std::make_unique<WheeledEngine>(settings, planar, ground));
 }
 
-WheeledEngine::WheeledEngine(EngineSettings settings, bool planar) : m_settings(std::move(settings)), m_team(m_settings.threads) {
+WheeledEngine::WheeledEngine(EngineSettings settings, bool planar, std::optional<double> ground)
+    : m_settings(std::move(settings)), m_groundHeight(ground), m_team(m_settings.threads) {
     m_objects.planar = planar;
     m_objects.surfaces = m_settings.surfaces;
     m_objects.weight = -m_settings.gravity.z();
@@ -54,7 +54,9 @@ std::shared_ptr<const ActorShape> WheeledEngine::shapeOf(const ActorDef& actor, 
 }
 
 Result<ActorHandles> WheeledEngine::addActor(const ActorDef& actor) {
-    if (!m_objects.ground) m_objects.ground = m_grounds.under(lowestOf(actor), actor.frame.position.head<2>());
+    if (!m_objects.ground)
+        m_objects.ground =
+            m_groundHeight ? m_grounds.at(*m_groundHeight) : m_grounds.under(lowestOf(actor), actor.frame.position.head<2>());
     if (!m_objects.ground) return Error{Code::NotInEngine, "there is no level ground below it"};
     if (m_objects.units.empty()) { // what is the ground, or in it, is nothing to run into
         const double height = m_objects.ground->height + 1e-4;
@@ -83,6 +85,7 @@ ActorHandles WheeledEngine::addUnit(const ActorDef& actor, std::shared_ptr<const
     unit.model = static_cast<std::uint32_t>(std::ranges::find(m_shapes, shape, &KnownShape::shape) - m_shapes.begin());
     unit.shape = std::move(shape);
     unit.setPlane();
+    setDown(unit);
     m_objects.units.push_back(std::move(unit));
     addGeoms(actor, handles);
     markAloft(m_objects.units.back());
@@ -189,7 +192,6 @@ bool WheeledEngine::finish(std::uint32_t index, double h) {
     unit.force = unit.moment = Vec3::Zero();
     for (std::size_t i = 0; i < unit.shape->wheels.size(); ++i) m_objects.wheels[unit.wheels + i].torque = 0;
     if (unit.isMovable()) {
-        if (!unit.isVehicle()) moveOn(unit, h);
         if (!faultOf(unit).empty()) return false;
         publishStates(m_objects, index);
     }
@@ -206,6 +208,7 @@ void WheeledEngine::applyMotions() {
         unit.rotation = (m.motion.rotation * unit.rotation).normalized();
         unit.linear = unit.angular = unit.grip = Vec3::Zero();
         unit.setPlane();
+        setDown(unit);
         for (std::size_t i = 0; i < unit.shape->supports.size(); ++i) m_objects.supports[unit.supports + i] = {};
         for (std::size_t i = 0; i < unit.shape->wheels.size(); ++i) m_objects.wheels[unit.wheels + i].stop();
         m_contacts.forget(m.unit);
@@ -223,9 +226,32 @@ std::string_view WheeledEngine::faultOf(const WheeledUnit& unit) const {
         return "it is farther than 100000 m from the origin, or its state is no number";
     if (!within(unit.linear, kFastest)) return "it moves faster than 200 m/s";
     if (!within(unit.angular, kFastestTurn)) return "it turns faster than 10000 rad/s";
-    if (!m_objects.ground->isEndless() && !m_objects.ground->isBelow(unit.position.head<2>())) return kLeavesGround;
+    if (!isOverGround(unit)) return kLeavesGround;
     if (unit.shape->kind != ActorKind::Ball && up < kLeastUpright) return kLeans;
     return {};
+}
+
+/// With all that carries it; something loose with its centre of mass.
+bool WheeledEngine::isOverGround(const WheeledUnit& unit) const {
+    const LevelGround& ground = *m_objects.ground;
+    const ActorShape& shape = *unit.shape;
+    if (ground.isEndless()) return true;
+    if (!unit.isVehicle()) return ground.isBelow(unit.position.head<2>());
+    if (ground.isBelow(unit.position.head<2>(), shape.bound + shape.tall)) return true; // however it leans
+    for (std::size_t i = 0; i < shape.supports.size(); ++i) {
+        const Vec3 at = unit.position + unit.rotation * shape.supports[i].centre;
+        if (m_objects.supports[unit.supports + i].normal > 0 && !ground.isBelow(at.head<2>(), -kBridged)) return false;
+    }
+    return true;
+}
+
+/// A planar vehicle keeps its height: wherever it is put, it touches the ground.
+void WheeledEngine::setDown(WheeledUnit& unit) const {
+    if (!m_objects.planar || !unit.isVehicle()) return;
+    double low = 1e300;
+    for (const Support& s : unit.shape->supports) low = std::min(low, (unit.rotation * s.centre).z() - s.radius);
+    const double gap = unit.position.z() + low - m_objects.ground->height;
+    if (std::abs(gap) > kTouching) unit.position.z() -= gap;
 }
 
 /// They stay as they were published last.

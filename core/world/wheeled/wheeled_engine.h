@@ -17,7 +17,7 @@ namespace trundle {
 
 class WheeledEngine final : public Engine {
 public:
-    WheeledEngine(EngineSettings settings, bool planar);
+    WheeledEngine(EngineSettings settings, bool planar, std::optional<double> ground);
 
     [[nodiscard]] Result<ActorHandles> addActor(const ActorDef& actor) override;
     [[nodiscard]] Result<GeomHandle> addStatic(const GeomSpec& geom, const Pose& pose) override;
@@ -57,6 +57,8 @@ private:
     void endFaulty(double h);
     void publishJoints(const WheeledUnit& unit, double h);
     [[nodiscard]] std::string_view faultOf(const WheeledUnit& unit) const;
+    [[nodiscard]] bool isOverGround(const WheeledUnit& unit) const;
+    void setDown(WheeledUnit& unit) const;
 
     /// Actors with the same bodies and joints at the same height share a shape.
     struct KnownShape {
@@ -66,6 +68,7 @@ private:
     };
 
     EngineSettings m_settings;
+    std::optional<double> m_groundHeight; ///< m
     WheeledObjects m_objects;
     GroundSearch m_grounds;
     std::vector<KnownShape> m_shapes;

@@ -14,6 +14,8 @@
 
 namespace trundle {
 
+inline constexpr std::size_t kUnitsOfThread = 16; ///< the fewest that a thread takes
+
 /// Of the last tick, with which the next one starts.
 struct SupportState {
     double normal = 0, along = 0, across = 0; ///< impulses, N s

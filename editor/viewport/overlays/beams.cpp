@@ -113,7 +113,7 @@ struct DrawnSensor {
 };
 
 const double* slotsOf(const SignalLayout& layout, const LiveSnapshot& snapshot, const std::string& path, std::uint32_t count) {
-    const SignalEntry* entry = layout.find(path);
+    const auto entry = layout.find(path);
     return entry && entry->count == count ? snapshot.block->slots().data() + entry->offset : nullptr;
 }
 

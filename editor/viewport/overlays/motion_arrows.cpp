@@ -39,7 +39,7 @@ public:
 
 private:
     void arrow(const Pose& at, const std::string& signal, double pixelsPerUnit, const QColor& colour) const {
-        const SignalEntry* entry = m_layout.find(signal);
+        const auto entry = m_layout.find(signal);
         if (!entry || entry->count != 3) return;
         const Vec3 vector = at.rotation * Vec3(m_snapshot.block->slots().data() + entry->offset);
         const double length = std::min(vector.norm() * pixelsPerUnit, kMostArrowPixels);

@@ -105,8 +105,8 @@ class EveryKindTest : public QObject {
             tried = QStringLiteral("other.") + QString::fromStdString(p.choices.empty() ? "txt" : p.choices.front());
             fixture.type(qPrintable(id), tried);
         } else {
-            for (const char* text :
-                 {"other", "1", "1,2", "1,1,1", "90,180", "1,1,1,1", "robot1", "robot1/pose", "1,2,3", "seer/eye", "left,right"}) {
+            for (const char* text : {"other", "1", "1,2", "1,1,1", "90,180", "1,1,1,1", "robot1", "robot1/pose", "1,2,3",
+                                     "seer/eye", "left,right", "-1"}) {
                 if (changed()) break;
                 tried += QLatin1String(text) + QLatin1Char('|');
                 fixture.type(qPrintable(id), QLatin1String(text));

@@ -82,7 +82,7 @@ private Q_SLOTS:
         const std::shared_ptr<const LiveSnapshot> snapshot = session().results().snapshot;
         QVERIFY(snapshot->hash);
         QCOMPARE(lines[1], QByteArray::number(qulonglong(*snapshot->hash), 16).rightJustified(16, '0'));
-        const SignalEntry* pose = session().results().layout->find("robot0/pose");
+        const auto pose = session().results().layout->find("robot0/pose");
         QVERIFY(pose && snapshot->block->slots()[pose->offset] > 0.2); // it has driven
     }
 

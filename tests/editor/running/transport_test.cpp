@@ -73,7 +73,7 @@ private Q_SLOTS:
         const auto isAt = [&](const char* robot, double x) {
             const auto& shot = *o.session.results().snapshot;
             for (const char* signal : {"/pose", "/body/pose"}) {
-                const SignalEntry* entry = o.session.results().layout->find(std::string(robot) + signal);
+                const auto entry = o.session.results().layout->find(std::string(robot) + signal);
                 if (!entry || std::abs(shot.block->slots()[entry->offset] - x) > 1e-6) return false;
             }
             return std::abs(o.session.robots().pose(robot)->position.x() - x) < 1e-6;

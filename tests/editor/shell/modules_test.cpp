@@ -29,7 +29,7 @@ namespace {
 const QByteArray kMain = "#import robots/simple_robot.sim\n#import arenas/open_floor.sim\nTick = 0.01\n"
                          "Static floor { Config=OpenFloor }\nRobot rover { Config=SimpleRobot }\n";
 double valueOf(const RunResults& results, const char* signal) {
-    const SignalEntry* entry = results.layout ? results.layout->find(signal) : nullptr;
+    const auto entry = results.layout ? results.layout->find(signal) : std::nullopt;
     return entry && results.snapshot ? results.snapshot->block->slots()[entry->offset] : 0;
 }
 

@@ -133,9 +133,9 @@ private Q_SLOTS:
         const RangeModel sensor{"r/scan", "r", 0, {}, 5, 0, 2, 1, false, false, {Vec3::UnitX(), Vec3::UnitY()}};
         SignalLayout layout;
         layout.beginRobot("r");
-        layout.add("r/base/velocity", "m/s", SignalType::Real, SignalDirection::Truth, 6);
-        layout.add("r/scan/ranges", "m", SignalType::Real, SignalDirection::Output, 2);
-        layout.add("r/scan/time", "s", SignalType::Real, SignalDirection::Output, 1);
+        layout.add("base/velocity", "m/s", SignalType::Real, SignalDirection::Truth, 6);
+        layout.add("scan/ranges", "m", SignalType::Real, SignalDirection::Output, 2);
+        layout.add("scan/time", "s", SignalType::Real, SignalDirection::Output, 1);
         auto block = std::make_shared<SignalBlock>(layout);
         const double values[] = {1, 2, 0, 0, 0, 0.5, 3, 4, -1};
         std::copy(std::begin(values), std::end(values), block->slots().begin());

@@ -30,6 +30,8 @@ NoContact=rover,other
 PoseLog path {{ Robot=rover Interval=0.02 File=path.csv }}
 SignalLog signals {{ Signals="rover/base/*","rover/*Encoder/*","rover/*Motor/*" Interval=0.02 File=signals.csv }}
 PoseLog others {{ Robot=other Interval=0.1 File=others.csv }}
+EnergyLog energies {{ File=energies.csv }}
+ContactLog touches {{ File=touches.csv }}
 """
 STRAIGHT = {"module": "controllers/linear_motion", "controller": "LinearMotion brain { Distance=0.4 Speed=0.3 }"}
 PYTHON = '''
@@ -65,6 +67,23 @@ class Ever(trundle.Controller):
 
     def update(self, since_last):
         self.base.move(0.3, 0.0)
+'''
+
+COUNTER = '''
+import trundle
+
+
+class Counter(trundle.Controller):
+    """Publishes how often it was called."""
+
+    calls = trundle.output("calls", "", "So far.", type=int)
+
+    def setup(self, robot):
+        self.count = 0
+
+    def update(self, since_last):
+        self.count += 1
+        self.calls = self.count
 '''
 
 
@@ -229,8 +248,9 @@ class DriveTest(unittest.TestCase):
         for name in ("path.csv", "signals.csv"):
             self.assertGreater(self.content("run", name).count("\n"), 50)
             self.assertEqual(self.content("drive", name), self.content("run", name))
-        self.assertFalse(os.path.exists(os.path.join(self.logs("drive"), "others.csv")))
-        self.assertIn("others", driven.stderr)  # that it is left out
+        for name in ("others", "energies", "touches"):  # of another robot, or of what only a simulation knows
+            self.assertFalse(os.path.exists(os.path.join(self.logs("drive"), name + ".csv")))
+            self.assertRegex(driven.stderr, f"not written: .*{name}")
         return simulated, driven
 
     def test_a_served_robot_is_driven_to_the_last_bit_as_in_simulation(self):
@@ -243,6 +263,14 @@ class DriveTest(unittest.TestCase):
         self.write("there.py", PYTHON)
         _, driven = self.served_as_simulated(self.experiment({"module": "there.py", "controller": "There brain { }"}), "--trust")
         self.assertIn("finished: is there", driven.stdout)
+
+    def test_what_the_controller_publishes_is_its_own_not_that_of_the_one_at_the_other_end(self):
+        self.write("counter.py", COUNTER)
+        text = TEXT.format(module="counter.py", controller="Counter brain { }")
+        file = self.write("my.sim", text + 'SignalLog published { Signals="rover/brain/*" Interval=0.02 File=published.csv }')
+        self.served_as_simulated(file, "--trust")
+        self.assertIn("\n1,50\n", self.content("run", "published.csv"))
+        self.assertEqual(self.content("drive", "published.csv"), self.content("run", "published.csv"))
 
     def test_the_robot_stands_when_its_controller_has_ended(self):
         self.write("ever.py", EVER)

@@ -239,6 +239,23 @@ class SimulationTest(unittest.TestCase):
         with trundle.Simulation(two(), seed=7, console=None) as sim:
             self.assertEqual(sim.seed, 7)
 
+    def test_values_of_python_are_set(self):
+        sets = {"rover.Pos": (1, 0.5, 0), "other.Pos": [0, -1, 0], "rover.SelfCollision": False, "other.SelfCollision": True,
+                "Title": 'two "fast" rovers', "Tick": "20 ms", "Duration": 1e-5, "Description": "\u00c4nne"}
+        with trundle.Simulation(two(), console=None, sets=sets) as sim:
+            self.assertEqual((list(sim["rover/pose"][:2]), list(sim["other/pose"][:2])), ([1, 0.5], [0, -1]))
+            self.assertEqual(sim.tick_length, 0.02)
+        with trundle.Simulation(two(), console=None, sets={"rover.Pos": "1,0.5,0"}) as sim:
+            self.assertEqual(list(sim["rover/pose"][:2]), [1, 0.5])
+
+    def test_nothing_can_be_asked_after_close(self):
+        sim = trundle.Simulation(two(), console=None)
+        readings = sim.subscribe("rover/pose")
+        sim.close()
+        for ask in (sim.step, sim.hash, lambda: sim.next(readings), lambda: sim["rover/pose"]):
+            with self.assertRaisesRegex(trundle.Disconnected, "closed"):
+                ask()
+
     def test_a_changed_file_does_not_change_the_run(self):
         path = write("changed.sim", TWO)
         with trundle.Simulation(path, console=None) as sim:

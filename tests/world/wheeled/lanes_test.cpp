@@ -15,7 +15,7 @@ using namespace trundle;
 
 namespace {
 
-/// Two driven wheels, two sliders; one wheel of it has rollers and grips along one way alone.
+/// Two driven wheels, a slider, a ball that turns freely; one wheel of it has rollers and grips along one way alone.
 VehicleModel fourSupports() {
     VehicleModel model;
     model.supportCount = 4;
@@ -29,7 +29,8 @@ VehicleModel fourSupports() {
     model.supports[0] = {{0.05, 0.12, -0.02}, 0.05, {1, 0}, 0.05, 0.9, 0, true};
     model.supports[1] = {{0.05, -0.12, -0.02}, 0.05, {0.8, 0.6}, 0.04, 0.7, 1, false};
     model.supports[2] = {{-0.12, 0, -0.05}, 0.02, {1, 0}, 0, 0.05, 0, true};
-    model.supports[3] = {{0.12, 0, -0.05}, 0.02, {1, 0}, 0, 0, 0, true};
+    model.supports[3] = {{0.12, 0, -0.05}, 0.02, {1, 0}, 0, 0.6, 0, true};
+    model.supports[3].rolling = 0.08;
     QFETCH_GLOBAL(bool, planar);
     if (!planar) return model;
     model.planar = true;

@@ -93,6 +93,18 @@ private Q_SLOTS:
         QVERIFY(position(*world, "crate/body").x() > 0.8); // it was pushed to the wall
     }
 
+    /// Wherever it starts or is placed, it is on the ground.
+    void isSetDown() {
+        Scene scene = planarScene();
+        scene.robot("r", at(0, 0, 0.004), r0());
+        auto world = scene.build();
+        QVERIFY(world && world->tick().ok());
+        QVERIFY(std::abs(world->robotPose(0).position.z()) < 1e-9);
+        QVERIFY(world->place("r", at(1, 0, 0.3)).ok() && world->tick().ok());
+        QVERIFY((world->robotPose(0).position - Vec3(1, 0, 0)).norm() < 1e-9);
+        for (const WorldContact& c : world->contacts()) QVERIFY(std::abs(c.position.z()) < 1e-9);
+    }
+
     /// All supports in one line, and one that would have to pull.
     void carriesOnAnySupports() {
         for (const double third : {-0.0001, -0.3}) {

@@ -280,7 +280,8 @@ class _Session:
         return {"program": "trundle-driver", "protocol": PROTOCOL, "experiment": type(self.driver).__name__, **self.state()}, b""
 
     def on_status(self):
-        return {**self.state(), "tick_s": self.driver.tick, "duration_s": 0, "seed": 0, "speed": 1, "layout": "", "stopped": []}, b""
+        return {**self.state(), "tick_s": self.driver.tick, "duration_s": 0, "seed": 0, "speed": 1, "layout": "", "stopped": [],
+                "ended": []}, b""
 
     def on_console(self, on=True):
         return {}, b""

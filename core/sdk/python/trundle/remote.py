@@ -66,11 +66,17 @@ class _Frames:
     def __init__(self, stream):
         self._socket, self._received = stream, bytearray()
 
+    def _check_open(self):
+        if self._socket.fileno() < 0:
+            raise Disconnected("the connection is closed")
+
     def send(self, message, data=b""):
+        self._check_open()
         text = json.dumps(message, allow_nan=False, separators=(",", ":"), default=_plain).encode()
         self._socket.sendall(struct.pack("<II", len(text), len(data)) + text + data)
 
     def receive(self):
+        self._check_open()
         self._await(8)
         text_size, data_size = struct.unpack_from("<II", self._received)
         if text_size > _MOST_BYTES or data_size > _MOST_BYTES:
@@ -204,7 +210,8 @@ class Remote:
         return self._reason
 
     def status(self):
-        """tick, time, state, tick_s, duration_s, seed, speed, layout, and the controllers that a fault has stopped."""
+        """tick, time, state, tick_s, duration_s, seed, speed, layout; in "stopped" the controllers that a fault has stopped, in "ended"
+        the robots that have ended by a fault of their own."""
         return self._read_status()
 
     def step(self, ticks=1):

@@ -15,12 +15,13 @@ class UnknownPort(LookupError):
 
 
 class Slot:
-    """One signal: `count` doubles in the robot's image. Published outputs and commands can be set."""
+    """One signal: `count` doubles in the robot's image. Published outputs and commands can be set, those that are `whole` to whole
+    numbers only."""
 
-    __slots__ = ("_view", "_first", "count", "writable")
+    __slots__ = ("_view", "_first", "count", "writable", "whole")
 
-    def __init__(self, view, first, count, writable=False):
-        self._view, self._first, self.count, self.writable = view, first, count, writable
+    def __init__(self, view, first, count, writable=False, whole=False):
+        self._view, self._first, self.count, self.writable, self.whole = view, first, count, writable, whole
 
     def get(self, element=0):
         return self._view[self._first + element] if 0 <= element < self.count else 0.0
@@ -29,6 +30,8 @@ class Slot:
         if not self.writable or not 0 <= element < self.count:
             return
         try:
+            if self.whole and value % 1 != 0:
+                raise ValueError(f"an output of type int takes whole numbers, not {value!r}")
             self._view[self._first + element] = value
         except TypeError:
             if isinstance(value, (int, float)):

@@ -2,6 +2,7 @@
 """A simulation of one's own: the program trundle-cli as a child process."""
 
 import os
+import re
 import shutil
 import socket
 import subprocess
@@ -10,6 +11,8 @@ import tempfile
 from .remote import Disconnected, Remote, print_line
 
 _LAST_BYTES = 4000
+_WORD = re.compile(r"\s*[A-Za-z_][A-Za-z0-9_./\\-]*\s*")
+_NO_WORD = re.compile(r'\s*(?:["$]|[-+]?\.?[0-9])')  # how a string, an expression, a number with or without a unit begins
 
 
 def find_program():
@@ -24,6 +27,22 @@ def find_program():
     return found
 
 
+def _as_in_a_text(value):
+    """A value as the language has it. A Python text that is a value there already, or words with commas, stays; others are quoted."""
+    if hasattr(value, "tolist"):  # of numpy
+        value = value.tolist()
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, (list, tuple)):
+        return ",".join(map(_as_in_a_text, value))
+    if not isinstance(value, (str, os.PathLike)):
+        return str(value)
+    text = os.fspath(value)
+    if _NO_WORD.match(text) or all(map(_WORD.fullmatch, text.split(","))):
+        return text
+    return '"' + text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n") + '"'
+
+
 class Simulation(Remote):
     """Runs an experiment without a window, stepped from here:
 
@@ -33,11 +52,11 @@ class Simulation(Remote):
             sim.step(100)
             print(sim.time, base.odometry())
 
-    Raises TextError, with file, line and column, if the text has errors. `sets`: {"rover.Mass": 3} or texts "rover.Mass=3";
-    `modules`: folders whose modules are trusted; `console(time, who, severity, text)` gets what controllers print, None nothing."""
+    Raises TextError, with file, line and column, if the text has errors. `sets`: {"rover.Pos": (1, 0, 0)}, or texts
+    "rover.Pos=1,0,0"; `modules`: folders whose modules are trusted; `console(time, who, severity, text)` gets what controllers print, None nothing."""
 
     def __init__(self, file, *, seed=None, sets=(), modules=(), include=(), trust=False, log_dir=None, console=print_line, program=None):
-        texts = [f"{path}={value}" for path, value in sets.items()] if isinstance(sets, dict) else list(sets)
+        texts = [f"{path}={_as_in_a_text(value)}" for path, value in sets.items()] if isinstance(sets, dict) else list(sets)
         if seed is not None:
             texts.append(f"Seed={seed}")
         arguments = [program or find_program(), "serve", os.fspath(file)]
@@ -69,6 +88,8 @@ class Simulation(Remote):
 
     def _last_words(self):
         """How the process has ended, and what it printed last."""
+        if self._errors.closed:
+            return "the simulation is closed"
         try:
             code = self._process.wait(5)
         except subprocess.TimeoutExpired:

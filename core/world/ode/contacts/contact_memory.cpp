@@ -12,11 +12,11 @@ constexpr double kSameSide = 0.7; // cosine of two normals of one side
 
 } // namespace
 
-void ContactMemory::keep(const OdeContact& c, const Vec3& force, const Vec3& moved) {
+void ContactMemory::keep(const OdeContact& c, const Vec3& force, const Vec3& moved, double work) {
     const Vec3 normal = vec(c.normal);
     const double load = std::max(0.0, normal.dot(force));
     m_kept.push_back({c.first, c.second, c.actor, c.ticks + 1, vec(c.position) + moved, normal,
-                      force - normal.dot(force) * normal, load, c.load, false});
+                      force - normal.dot(force) * normal, load, c.load, c.stored - work, false});
 }
 
 void ContactMemory::forget(std::uint32_t actor) {
@@ -45,6 +45,7 @@ void ContactMemory::recallPair(OdeContact* begin, OdeContact* end, Kept* from, K
         c.ticks = k.ticks;
         c.load = k.load;
         c.earlier = k.earlier;
+        c.stored = k.stored;
         Vec3::Map(c.grip) = k.grip;
         k.taken = true;
     };
@@ -79,6 +80,7 @@ void ContactMemory::recallPair(OdeContact* begin, OdeContact* end, Kept* from, K
                 c->ticks = std::max(c->ticks, k->ticks);
                 c->load += k->load / static_cast<double>(heirs);
                 c->earlier += k->earlier / static_cast<double>(heirs);
+                c->stored += k->stored / static_cast<double>(heirs);
                 for (int i = 0; i < 3; ++i) c->grip[i] += k->grip[i] / static_cast<double>(heirs);
             }
             return heirs > 0;

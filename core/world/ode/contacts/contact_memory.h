@@ -13,8 +13,9 @@ class ContactMemory {
 public:
     /// Fills load, grip and ticks of the contacts of a new tick, sorted by actor.
     void recall(std::vector<OdeContact>& contacts);
-    /// Takes over a contact as it was solved: the force on its first body, and how far it has moved since it was found.
-    void keep(const OdeContact& contact, const Vec3& force, const Vec3& moved);
+    /// Takes over a contact as it was solved: the force on its first body, how far it has moved since it was found, and the work
+    /// that it did along its normal (J).
+    void keep(const OdeContact& contact, const Vec3& force, const Vec3& moved, double work);
     void clear() { m_kept.clear(); }
     /// Nothing that an actor carried is of use where it was put.
     void forget(std::uint32_t actor);
@@ -23,7 +24,7 @@ private:
     struct Kept {
         std::uint32_t first, second, actor, ticks;
         Vec3 position, normal, grip;
-        double load, earlier;
+        double load, earlier, stored;
         bool taken;
     };
     void recallPair(OdeContact* begin, OdeContact* end, Kept* from, Kept* to) const;

@@ -13,6 +13,7 @@ namespace {
 
 /// Of the ground's damping remains the sixth power of its share in the series: under 1 % of critical where a tick can follow the spring.
 constexpr double kLossPower = 6;
+constexpr double kNoWork = 1e-9; // of the energy that goes back and forth
 
 } // namespace
 
@@ -34,29 +35,82 @@ const OdeActor& ContactRows::stiffer(const OdeContact& c) const {
     return c.partner == kNoActor || m_objects.actors[c.partner].stiffness < first.stiffness ? first : m_objects.actors[c.partner];
 }
 
+double ContactRows::softness(const OdeContact& c) const {
+    return m_settings.surfaces[m_geoms[c.first].surface].softness + m_settings.surfaces[m_geoms[c.second].surface].softness;
+}
+
+/// That a force along the normal moves.
+double ContactRows::mass(const OdeContact& c) const {
+    const Vec3 point = vec(c.position), normal = vec(c.normal);
+    return 1 / (mobility(c.first, point, normal) + mobility(c.second, point, normal));
+}
+
+double ContactRows::springStiffness(const OdeContact& c) const {
+    const double own = stiffer(c).stiffness, soft = softness(c);
+    return soft > 0 ? 1 / (1 / own + soft) : own;
+}
+
+void ContactRows::startSprings(std::span<OdeContact> contacts, double h) const {
+    for (OdeContact& c : contacts) {
+        if (c.ticks > 0 || !(softness(c) > 0)) continue;
+        const double pressed = std::max(0.0, c.depth + std::min(0.0, c.speed * h));
+        c.stored = springStiffness(c) * pressed * pressed / 2;
+    }
+}
+
+/// That along the mean of the velocities before and after.
+double ContactRows::work(const OdeContact& c, const dJointFeedback& force, std::span<const RawState> before, double h) const {
+    if (before.empty() || !(softness(c) > 0)) return 0; // the quick solver keeps no states
+    const Vec3 normal = vec(c.normal);
+    return h * normal.dot(vec(force.f1)) * (c.speed + normal.dot(m_objects.contactSpeed(c, before))) / 2;
+}
+
+/// Method: an impulse J on a mass m, whose speed was s before and would be f without it, does the work J (s + f + J / m) / 2.
+std::span<const std::uint32_t> ContactRows::findThrown(TickContacts& contacts, std::span<const RawState> before, double h) {
+    m_thrown.clear();
+    for (std::uint32_t i = 0; i < contacts.all.size(); ++i) {
+        OdeContact& c = contacts.all[i];
+        if (!contacts.rows[i] || c.bounces || !(softness(c) > 0)) continue;
+        const double impulse = h * vec(c.normal).dot(vec(contacts.feedbacks[i].f1)),
+                     after = vec(c.normal).dot(m_objects.contactSpeed(c, before));
+        const double scale = impulse * (std::abs(c.speed) + std::abs(after));
+        if (c.depth - h * after > 0 || !(work(c, contacts.feedbacks[i], before, h) > c.stored + kNoWork * scale)) continue;
+        const double m = mass(c), sum = c.speed + after - impulse / m;
+        const double rest = m / 2 * (std::sqrt(std::max(0.0, sum * sum + 8 * c.stored / m)) - sum);
+        c.less += impulse - std::clamp(rest, 0.0, impulse);
+        m_thrown.push_back(i);
+    }
+    return m_thrown;
+}
+
+bool ContactRows::landsOnSprings(const OdeContact& c) const {
+    if (c.ticks > 0 || c.iterated || !(c.speed < -kCorrectingSpeed) || m_settings.solver == SolverChoice::Quick) return false;
+    return m_objects.actors[c.actor].sprung || (c.partner != kNoActor && m_objects.actors[c.partner].sprung);
+}
+
 void ContactRows::fillSpring(const OdeContact& c, double h, dContact& out) const {
     const OdeActor& a2 = stiffer(c); // then both surfaces' give on top
     const OdeGeom &g1 = m_geoms[c.first], &g2 = m_geoms[c.second];
-    const double softness = m_settings.surfaces[g1.surface].softness + m_settings.surfaces[g2.surface].softness;
-    const double kp = softness > 0 ? 1 / (1 / a2.stiffness + softness) : a2.stiffness;
+    const double kp = springStiffness(c), soft = softness(c);
     SpringRow row{h * kp + a2.damping, 0};
     bool swings = false;
-    if (softness > 0) {
-        const Vec3 point = vec(c.position), normal = vec(c.normal);
-        const double mass = 1 / (mobility(c.first, point, normal) + mobility(c.second, point, normal)),
-                     kd = a2.damping * std::pow(kp / a2.stiffness, kLossPower);
-        swings = springTurn(kp, kd, mass, h) <= kMaxSpringTurn;
-        if (swings) row = springRow(kp, kd, mass, h);
+    if (soft > 0) {
+        const double m = mass(c), kd = a2.damping * std::pow(kp / a2.stiffness, kLossPower);
+        swings = springTurn(kp, kd, m, h) <= kMaxSpringTurn;
+        if (swings) row = springRow(kp, kd, m, h);
     }
     dSurfaceParameters& s = out.surface;
     s.mode = dContactSoftERP | dContactSoftCFM;
     s.soft_erp = h * kp / row.give;
     s.soft_cfm = 1 / row.give;
-    if (!swings) out.geom.depth = c.borne >= 0 ? c.borne : std::min(c.depth, kCorrectingSpeed * h / s.soft_erp);
-    if (!swings && c.gap == 0) return;
+    if (!swings && c.borne >= 0) out.geom.depth = c.borne;
+    else if (!swings && soft == 0 && landsOnSprings(c)) out.geom.depth = std::min(c.depth, -c.speed * h) / s.soft_erp;
+    else if (!swings) out.geom.depth = std::min(c.depth, kCorrectingSpeed * h / s.soft_erp);
+    if (!swings && c.gap == 0 && c.less == 0) return;
     const Vec3 point = vec(c.position);
     s.mode |= dContactMotionN;
     s.motionN = -c.gap / h;
+    if (c.less > 0) s.motionN -= c.less * (1 / (h * row.give) + 1 / mass(c));
     if (swings)
         s.motionN -=
             row.carry / row.give * vec(c.normal).dot(m_objects.pointVelocity(g1, point) - m_objects.pointVelocity(g2, point));

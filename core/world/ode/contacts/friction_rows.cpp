@@ -16,6 +16,8 @@ bool isBar(double m1, double m2) { return m1 < kThinEllipse * kThinEllipse * m2 
 
 } // namespace
 
+bool isBar(const FrictionLaw& law) { return isBar(law.along * law.along, law.across * law.across); }
+
 bool isInside(const FrictionLaw& law, const Vec3& grip) {
     const double m1 = law.along * law.along, m2 = law.across * law.across;
     if (m1 == m2) return grip.squaredNorm() <= m1;

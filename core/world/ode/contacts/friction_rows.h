@@ -12,6 +12,7 @@ struct FrictionLaw {
     Vec3 normal = Vec3::UnitZ();
     Vec3 direction = Vec3::UnitX(); ///< in the plane, unit: of `along`
     double along = 0, across = 0;
+    double swing = 0; ///< m/s, of a wheel along `direction`: by how much its speed may be off because it turns in the tick
 };
 
 /// How the contact moves and what it carried; the vectors lie in its plane.
@@ -28,6 +29,8 @@ struct FrictionRows {
     double creep = 0;                  ///< m/s: speed of the second row at which it has no force
 };
 
+/// So narrow an ellipse is a line: what has rollers.
+[[nodiscard]] bool isBar(const FrictionLaw& law);
 /// Of a force per load. A limit that is narrow enough to be a bar has no corners to leave.
 [[nodiscard]] bool isInside(const FrictionLaw& law, const Vec3& grip);
 

@@ -33,7 +33,8 @@ std::span<const std::uint32_t> PushOut::find(TickContacts& contacts, const OdeOb
         const Vec3 normal = vec(c.normal);
         if (!(normal.dot(vec(contacts.feedbacks[i].f1)) > 0) || !(normal.dot(objects.contactSpeed(c, before)) > kParting))
             continue;
-        if (!hasDirections(objects.geoms[c.first]) || !hasDirections(objects.geoms[c.second])) continue;
+        const bool known = hasDirections(objects.geoms[c.first]) && hasDirections(objects.geoms[c.second]);
+        if (!known && !rows.landsOnSprings(c)) continue;
         if (surfaces[objects.geoms[c.first].surface].softness + surfaces[objects.geoms[c.second].surface].softness > 0) continue;
         const double borne = c.ticks * h < kBlow ? 0 : std::min(kMaxSag, std::min(c.load, c.earlier) / rows.stiffness(c));
         if (c.depth < borne + kExplained) continue;

@@ -61,7 +61,10 @@ CouplingHandle CouplingRows::addLink(const SpringSpec& spec, std::uint32_t child
 
 CouplingHandle CouplingRows::keep(OdeCoupling coupling) {
     for (const std::uint32_t body : {coupling.first, coupling.second})
-        if (body != kNone) m_objects.bodies[body].coupled = true;
+        if (body != kNone) {
+            m_objects.bodies[body].coupled = true;
+            if (!coupling.isGear) m_objects.actors[m_objects.bodies[body].actor].sprung = true;
+        }
     m_objects.couplings.push_back(std::move(coupling));
     return {static_cast<std::uint32_t>(m_objects.couplings.size() - 1)};
 }

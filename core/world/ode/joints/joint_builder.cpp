@@ -71,6 +71,9 @@ void JointBuilder::add(OdeJoint& joint, const JointSpec& spec, const JointFrame&
     makeJoint(joint, spec, frame);
     if (spec.type == JointType::Hinge || spec.type == JointType::Suspension) findWheels(joint, frame.anchor, main);
     m_objects.joints.push_back(joint);
+    if (joint.stiffness > 0 || joint.stiffness2 > 0)
+        for (const std::uint32_t body : {joint.child, joint.parent})
+            if (body != kNone) m_objects.actors[m_bodies[body].actor].sprung = true;
     m_rows.add(static_cast<std::uint32_t>(m_objects.joints.size() - 1), spec, main, frame.axis2);
 }
 

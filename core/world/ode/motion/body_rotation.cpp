@@ -9,7 +9,8 @@ namespace trundle {
 
 namespace {
 
-constexpr double kSteady = 1e-10; // relative change of the momentum in a tick, seen from the body: below it turns steadily
+constexpr double kMoreEnergy = 1e-3; // relative: with more a body that is turned aside keeps its energy instead of its momentum
+constexpr double kSteady = 1e-10;    // relative change of the momentum in a tick, seen from the body: below it turns steadily
 
 /// True for what is no number as well.
 bool isSteady(const Vec3& rate, const Vec3& momentum, double h) {
@@ -22,9 +23,10 @@ void BodyRotation::start(std::span<const OdeBody> bodies, std::span<const Mat3> 
                          const PinnedBodies& pinned) {
     m_inertias.clear();
     for (const Mat3& inertia : inertias) m_inertias.emplace_back(inertia);
-    std::vector<bool> held(bodies.size(), false), swivels(bodies.size(), true);
+    m_isHeld.assign(bodies.size(), false);
+    std::vector<bool> swivels(bodies.size(), true);
     const auto hold = [&](std::uint32_t body, JointType by) {
-        held[body] = true;
+        m_isHeld[body] = true;
         if (by != JointType::Ball && by != JointType::Universal) swivels[body] = false;
     };
     for (const OdeJoint& joint : joints) {
@@ -36,9 +38,9 @@ void BodyRotation::start(std::span<const OdeBody> bodies, std::span<const Mat3> 
     m_held.clear();
     m_free.clear();
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-        if (!held[i] || pinned.hold(i)) dBodySetFiniteRotationMode(bodies[i].id, 1); // by its whole angle, not by the tangent
+        if (!m_isHeld[i] || pinned.hold(i)) dBodySetFiniteRotationMode(bodies[i].id, 1); // by its whole angle, not by the tangent
         if (m_inertias[i].isRound() || pinned.turnFreely(i)) continue;
-        if (held[i]) m_held.push_back({i, swivels[i]});
+        if (m_isHeld[i]) m_held.push_back({i, swivels[i]});
         else m_free.emplace_back().body = i;
     }
 }
@@ -96,6 +98,18 @@ void BodyRotation::rewind(const OdeBody& body, std::uint32_t index, double time)
     flyFreely(body, *found, time);
     const Vec3 w = m_inertias[index].rate(quat(body.q), found->momentum);
     dBodySetAngularVel(body.id, w.x(), w.y(), w.z());
+}
+
+/// The same momentum may be more energy in the new place, much more where a rod is turned towards it: then it is scaled, or left.
+Vec3 BodyRotation::turnedAside(const OdeBody& body, std::uint32_t index, const Quat& turned) const {
+    const Vec3 w = vec(body.w);
+    if (m_isHeld[index]) return turned * w;
+    const RotationalInertia& inertia = m_inertias[index];
+    if (inertia.isRound()) return w;
+    const Vec3 momentum = inertia.momentum(quat(body.q), w), kept = inertia.rate(turned * quat(body.q), momentum);
+    const double before = momentum.dot(w), after = momentum.dot(kept);
+    if (after <= before) return kept;
+    return after - before < kMoreEnergy * after ? Vec3(std::sqrt(before / after) * kept) : Vec3(turned * w);
 }
 
 } // namespace trundle

@@ -25,9 +25,11 @@ public:
     void after(std::span<const OdeBody> bodies, double h);
     /// Turns a body back to where it was `time` after the start of the tick, if it turns freely.
     void rewind(const OdeBody& body, std::uint32_t index, double time) const;
+    /// The rate of a body once it has been turned in no time. What no joint holds keeps its momentum, so that a fast top stays up;
+    /// what a joint holds keeps its rate as seen from the body, and with it the energy.
+    [[nodiscard]] Vec3 turnedAside(const OdeBody& body, std::uint32_t index, const Quat& turned) const;
 
 private:
-    /// Its moments differ.
     struct Held {
         std::uint32_t body;
         bool swivels; ///< by ball and universal joints alone
@@ -41,7 +43,8 @@ private:
     void flyFreely(const OdeBody& body, const Tumbling& tumbling, double time) const;
 
     std::vector<RotationalInertia> m_inertias; ///< by body
-    std::vector<Held> m_held;                  ///< by joints
+    std::vector<bool> m_isHeld;                ///< by body: by joints
+    std::vector<Held> m_held;                  ///< of these, whose moments differ
     std::vector<Tumbling> m_free;              ///< those that no joint holds, ascending
 };
 

@@ -49,6 +49,12 @@ double OdeSweep::thinnestFor(const OdeGeom& g) const {
     return g.shape == GeomShape::Cylinder && !g.wheel ? m_thinnestBox : HUGE_VAL;
 }
 
+/// How far a point of it may move in a tick, and be found before it is through.
+double OdeSweep::safeWay(const OdeGeom& g) const {
+    const double share = g.shape == GeomShape::Convex || g.shape == GeomShape::Mesh ? kShare / 2 : kShare;
+    return share * std::min(g.half.minCoeff(), thinnestFor(g));
+}
+
 /// False if no point of it can pass a plane that it does not touch: its displacement lies within its own shape.
 bool OdeSweep::outruns(const OdeGeom& g, double h) const {
     const OdeBody& b = m_objects.bodies[g.body];
@@ -115,16 +121,21 @@ void OdeSweep::findObstacles(std::uint32_t geom, const Path& path) {
     for (Obstacle& o : m_obstacles) o.before = std::max(0.0, depthIn(geom, o, path));
 }
 
-/// How deep the geom is in what lies before it; negative: not at all.
+/// How deep the geom is in what lies before it; negative: not at all. A point that comes no nearer to a surface than
+/// one of a body that is not swept cannot pass within this tick. It counts only if it is deep, else
+/// what rolls or topples would be held up.
 double OdeSweep::depthIn(std::uint32_t geom, const Obstacle& obstacle, const Path& path) {
     m_contacts.clear();
     if (obstacle.plane != kNone) m_collider.meetPlane(geom, m_objects.planes[obstacle.plane], m_contacts);
     else if (m_objects.boxes[geom].touches(m_objects.boxes[obstacle.geom])) m_collider.meet(geom, obstacle.geom, m_contacts);
-    const Vec3 centre = vec(m_objects.bodies[m_objects.geoms[geom].body].p);
+    const Vec3 centre = vec(m_objects.bodies[m_objects.geoms[geom].body].p), wayOfCentre = path.to - path.from;
+    const double safe = safeWay(m_objects.geoms[geom]);
     double depth = -1;
     for (const OdeContact& c : m_contacts) {
-        const Vec3 way = path.to - path.from + path.turned.cross(vec(c.position) - centre); // of the point, from now on
-        if (vec(c.normal).dot(way) < -kGrazing * way.norm()) depth = std::max(depth, c.depth);
+        const Vec3 way = wayOfCentre + path.turned.cross(vec(c.position) - centre); // of the point, from now on
+        const double nearer = -vec(c.normal).dot(way);
+        if (nearer <= kGrazing * std::max(way.norm(), wayOfCentre.norm())) continue;
+        if (nearer > safe || c.depth > kThrough * safe) depth = std::max(depth, c.depth);
     }
     return depth;
 }
@@ -135,8 +146,10 @@ bool OdeSweep::isStopped(std::uint32_t geom, const Path& path, double t) {
     return std::any_of(m_obstacles.begin(), m_obstacles.end(), [&](const Obstacle& o) {
         const double depth = depthIn(geom, o, path);
         if (o.before == 0) return depth >= 0;
-        const double other = o.plane == kNone ? m_objects.geoms[o.geom].half.minCoeff() : own;
-        return depth > o.before + kDeeper * std::min(own, other); // there is a contact already
+        const OdeGeom& other = m_objects.geoms[o.geom];
+        const bool isSurface = o.plane != kNone || other.shape == GeomShape::Mesh; // has no thickness
+        const double thickness = isSurface ? own : std::min(own, other.half.minCoeff());
+        return depth > o.before + kDeeper * thickness; // there is a contact already
     });
 }
 

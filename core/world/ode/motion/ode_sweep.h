@@ -43,6 +43,7 @@ private:
     };
     [[nodiscard]] bool outruns(const OdeGeom& geom, double h) const;
     [[nodiscard]] double thinnestFor(const OdeGeom& geom) const;
+    [[nodiscard]] double safeWay(const OdeGeom& geom) const;
     [[nodiscard]] Path pathOf(std::uint32_t body, double h) const;
     void put(std::uint32_t body, const Path& path, double t);
     void putBack(std::uint32_t body, const RawState& state);

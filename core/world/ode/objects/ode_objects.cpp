@@ -76,12 +76,16 @@ Vec3 OdeObjects::contactSpeed(const OdeContact& c, std::span<const RawState> bef
     return speed(c.first) - speed(c.second);
 }
 
+bool OdeObjects::rolls(const OdeGeom& g, const Vec3& normal) const {
+    if (g.shape == GeomShape::Sphere) return true;
+    if (!g.wheel && g.shape != GeomShape::Cylinder && g.shape != GeomShape::Capsule) return false;
+    const Vec3 axis = g.wheel ? turn(bodies[g.body].r, g.axle) : Vec3(axesOf(g).col(2));
+    return std::abs(axis.dot(normal)) < kRolling; // else it lies on its face, as a turntable does
+}
+
 Vec3 OdeObjects::carriedBy(const OdeContact& c) const {
     const OdeGeom& g = geoms[c.first];
-    const bool rolls = g.wheel || g.shape == GeomShape::Sphere ||
-                       ((g.shape == GeomShape::Cylinder || g.shape == GeomShape::Capsule) &&
-                        std::abs(axesOf(g).col(2).dot(vec(c.normal))) < kRolling);
-    return rolls ? vec(bodies[g.body].v) : pointVelocity(g, vec(c.position));
+    return rolls(g, vec(c.normal)) ? vec(bodies[g.body].v) : pointVelocity(g, vec(c.position));
 }
 
 void OdeObjects::publish(std::uint32_t index) {

@@ -56,6 +56,8 @@ struct OdeObjects {
     /// where they touched.
     [[nodiscard]] Vec3 contactSpeed(const OdeContact& contact) const;
     [[nodiscard]] Vec3 contactSpeed(const OdeContact& contact, std::span<const RawState> before) const;
+    /// Whether a geom is round about the axis that it would roll about on a floor of this normal.
+    [[nodiscard]] bool rolls(const OdeGeom& geom, const Vec3& normal) const;
     /// How the place of a contact moves: with the first body, or with its centre if it rolls there. m/s.
     [[nodiscard]] Vec3 carriedBy(const OdeContact& contact) const;
     /// The state of a body's frame from that of its centre of mass.

@@ -77,6 +77,7 @@ struct OdeActor {
     Run bodies, geoms, joints, couplings;
     double mass = 0, stiffness = kContactStiffness, damping = kContactDamping; ///< of its contacts
     bool jointed = false;
+    bool sprung = false;              ///< has a spring, or is on one
     bool ended = false;               ///< stays where it is and touches nothing (ActorFaults)
     bool isApart = false;             ///< it, or a body of it, does not touch another actor, or a body of one
     std::vector<IndexPair> selfPairs; ///< geoms that may touch each other
@@ -172,6 +173,8 @@ struct OdeContact {
     bool heir = false;            ///< has only what others left
     double load = 0, earlier = 0; ///< N along the normal in the last tick and in the previous one
     double grip[3] = {};          ///< N across the normal on the first body
+    double stored = 0;            ///< J in the spring of a surface with Softness
+    double less = 0;              ///< N s: so much less than that spring's own is its impulse in this tick
     // Of FrictionCones, from an earlier solution of this tick:
     bool solved = false;
     double solvedLoad = 0, solvedGrip[3] = {}, solvedSpeed[3] = {}; ///< N; N; m/s of the first body on the second, after the tick

@@ -174,7 +174,7 @@ class RunningDevice(Instance):
         view = memoryview(self._own)
         firsts = itertools.accumulate((s.count for s in signals), initial=0)
         for signal, first in zip(signals, firsts):
-            self.instance._outputs[signal.name] = Slot(view, first, signal.count, True)
+            self.instance._outputs[signal.name] = Slot(view, first, signal.count, True, signal.type is int)
         self.instance.setup(Mount(self.outside, self.title, self._tick))
         return [getattr(kind, name) is not getattr(Device, name) for name in ("act", "sense")]
 

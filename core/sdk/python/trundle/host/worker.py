@@ -95,7 +95,8 @@ class _RunningController(Instance):
     def start(self, kind):
         self.make(kind)
         for signal in description.members(kind, description.output):
-            self.instance._outputs[signal.name] = self.image.published(signal.name)
+            self.instance._outputs[signal.name] = slot = self.image.published(signal.name)
+            slot.whole = signal.type is int
         self.instance.setup(RobotPorts(self.image, self.tick, self.outside))
 
 
