@@ -9,6 +9,7 @@
 
 #include <malloc.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 namespace trundle {
@@ -26,7 +27,9 @@ std::uint64_t peakMemoryKb() {
 /// Method: the heap grows at once, and is not touched before the system knows.
 void useLargePages(std::size_t bytes) {
     constexpr std::size_t kPage = 2u << 20, kMost = 1u << 30;
-    if (bytes < kPage || gettid() != getpid()) return;
+    rlimit limit{};
+    const bool isLimited = getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY; // others may need what is left
+    if (bytes < kPage || isLimited || gettid() != getpid()) return;
     mallopt(M_MMAP_THRESHOLD, 32 << 20); // the most: long arrays lie there too
     mallopt(M_TRIM_THRESHOLD, INT_MAX);
     mallopt(M_TOP_PAD, static_cast<int>(std::min(bytes, kMost) / kPage * kPage + kPage));
