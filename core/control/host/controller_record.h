@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <span>
 #include <string>
 
 #include "control/host/wire.h"
@@ -18,8 +17,7 @@ struct ControllerRecord {
     std::uint64_t offset = 0; ///< of the first slot in the host's images
 };
 
-/// The entries of a robot's image, by offset.
-[[nodiscard]] std::span<const SignalEntry> entriesOf(const SignalLayout& layout, const std::string& robot);
+/// `entries`: those of the robot.
 void write(WireWriter& out, const RobotSpec& robot, std::size_t controller, const SettingsSpec& settings,
            const SignalLayout::Range& entries, std::uint64_t offset);
 [[nodiscard]] ControllerRecord readControllerRecord(WireReader& in);

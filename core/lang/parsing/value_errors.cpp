@@ -24,7 +24,7 @@ bool isNumber(std::string_view text) {
            std::ranges::count(text, '.') < 2;
 }
 
-/// The number, with its unit, that full-width signs mean: `1.5cm`; empty if it is none.
+/// A number with its unit in full-width characters, in plain ones: `1.5cm`; empty if it is none.
 std::string numberIn(std::string_view written) {
     constexpr std::uint32_t kFirst = 0xFF01, kLast = 0xFF5E, kToAscii = 0xFEE0;
     std::string plain;
@@ -348,7 +348,7 @@ void ValueErrors::reportUnquoted(const Element& e, const std::string& written) {
         Diagnostic& d = error(Code::BadExpression, e.range, "a ratio is written as a number or in $( )");
         fix(d, meant, {edit(e.range, meant)});
     } else if (const std::string number = numberIn(written); !number.empty()) {
-        Diagnostic& d = error(Code::BadNumber, e.range, "full-width signs; a number is written `" + number + "`");
+        Diagnostic& d = error(Code::BadNumber, e.range, "full-width characters; a number is written `" + number + "`");
         fix(d, number, {edit(e.range, number)});
     } else if (m_paths.element(e, written)) {
         return;
