@@ -113,8 +113,8 @@ std::string runJson(const RunReport& report) {
         json["engine_reason"] = world->experiment().settings.whyGeneral;
     json["threads"] = world ? Json(threadsFor(world->experiment())) : Json(nullptr);
     json["state_hash"] = world ? Json(hashText(world->stateHash())) : Json(nullptr);
-    json["quick_ticks"] = world ? world->quickTicks() : 0;
-    json["rescued_ticks"] = world ? world->rescuedTicks() : 0;
+    json["quick_ticks"] = world ? world->solves().quickTicks : 0;
+    json["rescued_ticks"] = world ? world->solves().rescuedTicks : 0;
     json["interrupted"] = report.interrupted;
     json["finished"] = finishJson(report.runner ? report.runner->finished() : nullptr);
     json["robots"] = world ? robotsJson(*world) : Json::object();

@@ -132,13 +132,13 @@ std::string solverRows(const World& world) {
         if (!reason.empty()) text += row("", "not wheeled: " + cleanLine(reason));
     } else if (!threads.empty()) text += row("engine", threads);
     const bool asked = world.experiment().settings.solver == SolverChoice::Quick;
-    if (world.quickTicks() > 0)
-        text += row("solver", counted(world.quickTicks(), "tick") + " solved by the quick solver (" +
+    if (world.solves().quickTicks > 0)
+        text += row("solver", counted(world.solves().quickTicks, "tick") + " solved by the quick solver (" +
                                   (asked ? "Solver = quick" : "piles of more than 60 contacts, in short steps") +
-                                  (world.rescuedTicks() > 0 ? ", or the exact one could not" : "") + ")");
-    if (world.rescuedTicks() > 0)
-        text += row(world.quickTicks() == 0 ? "solver" : "",
-                    counted(world.rescuedTicks(), "tick") + " repeated with softer constraints (the exact solver failed)");
+                                  (world.solves().rescuedTicks > 0 ? ", or the exact one could not" : "") + ")");
+    if (world.solves().rescuedTicks > 0)
+        text += row(world.solves().quickTicks == 0 ? "solver" : "",
+                    counted(world.solves().rescuedTicks, "tick") + " repeated with softer constraints (the exact solver failed)");
     return text;
 }
 

@@ -8,6 +8,7 @@
 #include <deque>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/floating_point.h"
@@ -25,15 +26,17 @@ struct CallTarget {
     std::uint32_t controllerOf = kNoRobot; ///< a controller: index of its robot in the experiment
 };
 
-/// Written by the thread of one run; read by any thread and by signal handlers at any time. Reads take no locks, and targets live
+/// Written by the threads of one run; read by any thread and by signal handlers at any time. Reads take no locks, and targets live
 /// as long as the monitor.
 class CallMonitor {
 public:
+    static constexpr unsigned kThreads = 64; ///< whose calls are recorded apart; further ones share the place of the first ones
+
     CallMonitor() = default;
     CallMonitor(const CallMonitor&) = delete;
     CallMonitor& operator=(const CallMonitor&) = delete;
 
-    // Writing: only the run's thread.
+    // Writing: only the run's thread, but for the calls of a MonitoredCalls that says which thread it is on.
     /// Records which library provides a kind; used for targets added later.
     void setModule(const std::string& kind, const std::string& library) { m_modules[kind] = library; }
     const CallTarget* add(CallTarget target) {
@@ -67,12 +70,16 @@ public:
     void askForEnd() noexcept { m_endAsked.store(true, std::memory_order_relaxed); }
 
     // Reading: any thread.
-    /// nullptr: neither module code nor a solver step is running.
-    [[nodiscard]] const CallTarget* target() const noexcept { return m_target.load(std::memory_order_acquire); }
-    [[nodiscard]] const char* doing() const noexcept { return m_doing.load(std::memory_order_acquire); } ///< "update"
+    /// Of the calling thread, or else of the first thread that is in a call. nullptr: neither module code nor a solver step is running.
+    [[nodiscard]] const CallTarget* target() const noexcept { return running().target.load(std::memory_order_acquire); }
+    [[nodiscard]] const char* doing() const noexcept { return running().doing.load(std::memory_order_acquire); } ///< "update"
     [[nodiscard]] bool endAsked() const noexcept { return m_endAsked.load(std::memory_order_relaxed); }
     /// Increases with each call that begins or ends.
-    [[nodiscard]] std::uint64_t sequence() const noexcept { return m_sequence.load(std::memory_order_acquire); }
+    [[nodiscard]] std::uint64_t sequence() const noexcept {
+        std::uint64_t sum = 0;
+        for (const Lane& lane : m_lanes) sum += lane.sequence.load(std::memory_order_acquire);
+        return sum;
+    }
     [[nodiscard]] std::uint64_t ticks() const noexcept { return m_ticks.load(std::memory_order_relaxed); } ///< completed
     [[nodiscard]] double time() const noexcept { return m_time.load(std::memory_order_relaxed); }          ///< s, simulated
     [[nodiscard]] std::uint32_t clusterContacts() const noexcept { return m_clusterContacts.load(std::memory_order_acquire); }
@@ -91,11 +98,29 @@ public:
 private:
     friend class MonitoredCall;
     friend class MonitoredCalls;
-    void set(const CallTarget* target, const char* doing) noexcept {
-        m_sequence.store(m_sequence.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
-        m_doing.store(doing, std::memory_order_relaxed);
-        m_target.store(target, std::memory_order_release);
+    /// The call of one thread, which alone writes it.
+    struct alignas(64) Lane {
+        std::atomic<const CallTarget*> target{nullptr};
+        std::atomic<const char*> doing{""};
+        std::atomic<std::uint64_t> sequence{0};
+
+        void set(const CallTarget* called, const char* what) noexcept {
+            sequence.store(sequence.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+            doing.store(what, std::memory_order_relaxed);
+            target.store(called, std::memory_order_release);
+        }
+    };
+    [[nodiscard]] Lane& own() noexcept { return m_lanes[t_lane % kThreads]; }
+    [[nodiscard]] const Lane& running() const noexcept {
+        const Lane& own = m_lanes[t_lane % kThreads];
+        if (own.target.load(std::memory_order_acquire)) return own;
+        for (const Lane& lane : m_lanes)
+            if (lane.target.load(std::memory_order_acquire)) return lane;
+        return own;
     }
+
+    static inline constinit thread_local unsigned t_lane =
+        0; ///< of the calling thread in each monitor; the run's own thread has 0
 
     struct Code {
         std::uintptr_t begin = 0, end = 0;
@@ -107,9 +132,8 @@ private:
     std::deque<CallTarget> m_targets; ///< a deque, because targets must not move
     std::map<std::string, std::string> m_modules;
     std::vector<std::string> m_bodies;
-    std::atomic<const CallTarget*> m_target{nullptr};
-    std::atomic<const char*> m_doing{""};
-    std::atomic<std::uint64_t> m_sequence{0}, m_ticks{0};
+    std::array<Lane, kThreads> m_lanes;
+    std::atomic<std::uint64_t> m_ticks{0};
     std::atomic<double> m_time{0};
     std::atomic<bool> m_endAsked{false};
     std::atomic<std::uint32_t> m_bodyCount{0}, m_clusterContacts{0}, m_clusterBody{0xffffffffu};
@@ -121,18 +145,18 @@ class MonitoredCall {
 public:
     /// `doing` is a literal: "setup", "update".
     MonitoredCall(CallMonitor& monitor, const CallTarget* target, const char* doing) noexcept
-        : m_monitor(monitor), m_target(monitor.m_target.load(std::memory_order_relaxed)),
-          m_doing(monitor.m_doing.load(std::memory_order_relaxed)) {
-        m_monitor.set(target, doing);
+        : m_lane(monitor.own()), m_target(m_lane.target.load(std::memory_order_relaxed)),
+          m_doing(m_lane.doing.load(std::memory_order_relaxed)) {
+        m_lane.set(target, doing);
     }
-    ~MonitoredCall() { m_monitor.set(m_target, m_doing); }
+    ~MonitoredCall() { m_lane.set(m_target, m_doing); }
     MonitoredCall(const MonitoredCall&) = delete;
     MonitoredCall& operator=(const MonitoredCall&) = delete;
 
 private:
     friend class MonitoredCalls;
 
-    CallMonitor& m_monitor;
+    CallMonitor::Lane& m_lane;
     const CallTarget* m_target; ///< the target before this call
     const char* m_doing;
     FloatingPointScope m_floatingPoint;
@@ -141,16 +165,20 @@ private:
 /// The same for many calls, one straight after another, at less than half of its cost for each.
 class MonitoredCalls {
 public:
-    MonitoredCalls(CallMonitor& monitor, const char* doing) noexcept
-        : m_monitor(monitor), m_doing(doing), m_all(monitor, nullptr, "") {}
+    /// `thread`: the number of the calling thread in the run; 0: its own.
+    MonitoredCalls(CallMonitor& monitor, const char* doing, unsigned thread = 0) noexcept
+        : m_doing(doing), m_before(std::exchange(CallMonitor::t_lane, thread)), m_all(monitor, nullptr, "") {}
+    ~MonitoredCalls() { CallMonitor::t_lane = m_before; }
+    MonitoredCalls(const MonitoredCalls&) = delete;
+    MonitoredCalls& operator=(const MonitoredCalls&) = delete;
     /// Marks the next call; the one before it has ended.
-    void next(const CallTarget* target) noexcept { m_monitor.set(target, m_doing); }
+    void next(const CallTarget* target) noexcept { m_all.m_lane.set(target, m_doing); }
     /// After each call, since the next one expects it.
     void restoreFloatingPoint() const noexcept { m_all.m_floatingPoint.restore(); }
 
 private:
-    CallMonitor& m_monitor;
     const char* m_doing;
+    unsigned m_before;   ///< number of the thread; it may do the work of another one
     MonitoredCall m_all; ///< what was monitored before the first
 };
 

@@ -9,6 +9,7 @@
 
 #include "model/experiment_spec.h"
 #include "world/engine.h"
+#include "world/rays/ray_targets.h"
 
 namespace trundle {
 

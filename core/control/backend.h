@@ -69,6 +69,10 @@ public:
     /// Calls update in tick number `tick` at simulated time `time` (s); `sinceLast` is the time since the last call, s (0 the
     /// first time).
     [[nodiscard]] virtual Status tick(std::uint64_t tick, double time, double sinceLast) = 0;
+    /// Whether its kind is independent of other robots: then tickApart() does what a tick() does, on any thread and at the same time as those
+    /// of other robots; the tick() that follows passes on what it put out, and returns its result.
+    [[nodiscard]] virtual bool isIndependent() const { return false; }
+    virtual void tickApart(std::uint64_t, double, double) {}
     /// Sets a live field of the controller.
     [[nodiscard]] virtual Status set(const std::string& property, const PropertyValue& value) = 0;
     virtual void stop() = 0;

@@ -32,6 +32,10 @@ std::string randomName(const RobotSpec& robot, std::size_t controller) {
 
 Status noPictures() { return Error{Code::NoGraphics, "this run takes no pictures"}; }
 
+Status noSharedPictures() {
+    return Error{Code::ControllerFailed, "its kind says that it is independent of other robots, and it asks for a picture"};
+}
+
 ControllerInstance& self(void* context) { return *static_cast<ControllerInstance*>(context); }
 
 } // namespace
@@ -84,7 +88,9 @@ Status ControllerInstance::tick(std::uint64_t tick, double time, double sinceLas
     m_tick = tick;
     m_time = time;
     m_draws = 0;
+    m_ticks = true;
     const bool stopped = m_code.update(m_instance, sinceLast) != 0;
+    m_ticks = false;
     if (stopped) return failed("failed", m_code.lastError(m_instance));
     m_gaveUp = m_failure.has_value();
     if (m_failure) return *m_failure;
@@ -214,8 +220,12 @@ std::uint64_t ControllerInstance::random(void* context) {
 }
 
 std::int32_t ControllerInstance::openLog(void* context, const char* fileName) {
-    const auto& open = self(context).m_outputs.openLog;
-    return open ? open(moduleName(fileName)) : -1;
+    auto& me = self(context);
+    if (!me.mayShare()) {
+        print(context, TRUNDLE_ERROR, "its kind says that it is independent of other robots: it opens its logs in setup");
+        return -1;
+    }
+    return me.m_outputs.openLog ? me.m_outputs.openLog(moduleName(fileName)) : -1;
 }
 
 void ControllerInstance::writeLog(void* context, std::int32_t log, const char* bytes, std::uint64_t count) {
@@ -230,6 +240,7 @@ std::int32_t ControllerInstance::reportStatus(const Status& status) {
 
 std::int32_t ControllerInstance::capture(void* context, const char* camera, TrundlePicture* picture) {
     auto& me = self(context);
+    if (!me.mayShare()) return me.reportStatus(noSharedPictures());
     if (!me.m_outputs.capture || !picture) return me.reportStatus(noPictures());
     const Result<const CameraImage*> taken = me.m_outputs.capture(moduleName(camera));
     if (!taken) return me.reportStatus(taken.error());
@@ -243,6 +254,7 @@ std::int32_t ControllerInstance::capture(void* context, const char* camera, Trun
 
 std::int32_t ControllerInstance::savePicture(void* context, const char* camera, const char* fileName) {
     auto& me = self(context);
+    if (!me.mayShare()) return me.reportStatus(noSharedPictures());
     return me.reportStatus(me.m_outputs.savePicture ? me.m_outputs.savePicture(moduleName(camera), moduleName(fileName))
                                                     : noPictures());
 }
@@ -259,13 +271,16 @@ const char* ControllerInstance::cameraError(void* context) { return self(context
 std::int32_t ControllerInstance::findRadio(void* context, const char* component, std::uint32_t* radio) {
     auto& me = self(context);
     const auto entry = me.names().bind("Transceiver", moduleName(component), "rssi");
-    const auto found =
-        me.m_outputs.radios ? me.m_outputs.radios->find(me.m_robot.name + "/" + moduleName(component)) : std::nullopt;
+    const auto found = me.m_outputs.radios && !me.isIndependent()
+                           ? me.m_outputs.radios->find(me.m_robot.name + "/" + moduleName(component))
+                           : std::nullopt;
     if (found) {
         *radio = *found;
         return 0;
     }
-    if (!me.m_failure) me.m_failure = entry ? me.failed("has no medium for its radio", nullptr) : entry.error();
+    const char* const why =
+        me.isIndependent() ? "says that it is independent of other robots, and asks for a radio" : "has no medium for its radio";
+    if (!me.m_failure) me.m_failure = entry ? me.failed(why, nullptr) : entry.error();
     return 1;
 }
 

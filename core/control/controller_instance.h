@@ -12,6 +12,7 @@
 
 #include "control/backend.h"
 #include "control/port_names.h"
+#include "schema/kind_traits.h"
 
 namespace trundle {
 
@@ -42,8 +43,11 @@ public:
     /// port that there is not. Otherwise it threw.
     [[nodiscard]] bool gaveUp() const { return m_gaveUp; }
     [[nodiscard]] const char* kind() const { return m_code.name; }
+    [[nodiscard]] bool isIndependent() const { return trundle::isIndependent(m_code); }
 
 private:
+    /// False in an update of one that is independent: what it asks for is shared by robots, or put out at once.
+    [[nodiscard]] bool mayShare() const { return !(m_ticks && isIndependent()); }
     [[nodiscard]] Error failed(const std::string& how, const char* why) const;
     [[nodiscard]] Status setField(std::uint32_t index);
     [[nodiscard]] const ControllerSpec* spec() const { return m_index < m_robot.controllers.size() ? &m_robot.controllers[m_index] : nullptr; }
@@ -89,7 +93,7 @@ private:
     SlotImages m_images;
     ControllerOutputs m_outputs;
     std::optional<Error> m_failure;
-    bool m_gaveUp = false;
+    bool m_gaveUp = false, m_ticks = false; ///< m_ticks: an update is under way
     std::uint64_t m_seed, m_pathHash, m_tick, m_draws = 0;
     double m_time = 0;
 };

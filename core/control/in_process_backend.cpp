@@ -1,8 +1,12 @@
 #include "control/in_process_backend.h"
 
+#include <chrono>
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 #include "control/controller_instance.h"
+#include "control/kept_outputs.h"
 
 namespace trundle {
 namespace {
@@ -14,9 +18,22 @@ public:
         : m_controller(robot, controller, settings, code), m_library(std::move(library)) {}
 
     Status start(const SignalLayout& layout, SignalBlock& block, ControllerOutputs outputs) override {
-        return m_controller.start(layout, {block.slots().data(), block.slots().data()}, std::move(outputs));
+        m_done.reset();
+        return m_controller.start(layout, {block.slots().data(), block.slots().data()}, m_outputs.inPlaceOf(std::move(outputs)));
     }
-    Status tick(std::uint64_t tick, double time, double sinceLast) override { return m_controller.tick(tick, time, sinceLast); }
+    Status tick(std::uint64_t tick, double time, double sinceLast) override {
+        if (!m_done) return m_controller.tick(tick, time, sinceLast);
+        m_outputs.pass();
+        return *std::exchange(m_done, std::nullopt);
+    }
+    bool isIndependent() const override { return m_controller.isIndependent(); }
+    void tickApart(std::uint64_t tick, double time, double sinceLast) override {
+        const auto begin = std::chrono::steady_clock::now();
+        m_outputs.keep();
+        m_done = m_controller.tick(tick, time, sinceLast);
+        m_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    }
+    std::optional<double> updateS() const override { return m_seconds; }
     Status set(const std::string& property, const PropertyValue& value) override { return m_controller.set(property, value); }
     void stop() override { m_controller.stop(); }
     std::string describe() const override {
@@ -25,8 +42,11 @@ public:
     }
 
 private:
+    KeptOutputs m_outputs; ///< outlives the controller
     ControllerInstance m_controller;
     std::string m_library;
+    std::optional<Status> m_done;    ///< of a tickApart() whose tick() is to come
+    std::optional<double> m_seconds; ///< that it took
 };
 
 } // namespace

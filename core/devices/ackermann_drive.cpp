@@ -6,7 +6,7 @@
 namespace trundle {
 
 void AckermannDrive::describe(Describe<AckermannDrive>& d) {
-    d.help("A base with two driven wheels at the back and two steered wheels in front, as a car.");
+    d.help("A base with two driven wheels at the back and two steered wheels in front, as a car.").independent();
     d.field("LeftMotor", &AckermannDrive::m_leftMotor, reference("RotaryMotor").required(),
             "Turns the left back wheel; forward is positive.");
     d.field("RightMotor", &AckermannDrive::m_rightMotor, reference("RotaryMotor").required(), "Turns the right back wheel.");

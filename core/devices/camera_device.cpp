@@ -7,7 +7,7 @@ namespace trundle {
 Camera::Camera() : m_fieldOfView(std::numbers::pi / 3) {}
 
 void Camera::describe(Describe<Camera>& d) {
-    d.help("Sees the scene along its own x with z up. Costs nothing until a picture is requested.");
+    d.help("Sees the scene along its own x with z up. Costs nothing until a picture is requested.").independent();
     Quantity pixels = number().within(1, 4096);
     pixels.type = TRUNDLE_INTEGER;
     const Quantity farthest = metres().within(-1e5, 1e5);

@@ -5,7 +5,7 @@
 namespace trundle {
 
 void Compass::describe(Describe<Compass>& d) {
-    d.help("Measures the heading of its x axis over the floor.");
+    d.help("Measures the heading of its x axis over the floor.").independent();
     describeSensor(d);
     d.field("Noise", &Compass::m_noise, degrees().within(0, 360), "Standard deviation of a heading.");
     d.field("Bias", &Compass::m_bias, degrees().within(-360, 360), "Added to every heading.");

@@ -3,7 +3,7 @@
 namespace trundle {
 
 void DifferentialDrive::describe(Describe<DifferentialDrive>& d) {
-    d.help("A base with two driven wheels: turns speeds of the robot into speeds of the wheels.");
+    d.help("A base with two driven wheels: turns speeds of the robot into speeds of the wheels.").independent();
     d.field("LeftMotor", &DifferentialDrive::m_leftMotor, reference("RotaryMotor").required(),
             "Turns the left wheel; forward is positive.");
     d.field("RightMotor", &DifferentialDrive::m_rightMotor, reference("RotaryMotor").required(), "Turns the right wheel.");
@@ -17,7 +17,7 @@ void DifferentialDrive::setup(Mount& mount) {
 }
 
 void SkidDrive::describe(Describe<SkidDrive>& d) {
-    d.help("A base with several driven wheels on each side, which turns by driving one side faster.");
+    d.help("A base with several driven wheels on each side, which turns by driving one side faster.").independent();
     d.field("LeftMotors", &SkidDrive::m_leftMotors, reference("RotaryMotor").required().counted(1, 100),
             "Turn the wheels of the left side; forward is positive.");
     d.field("RightMotors", &SkidDrive::m_rightMotors, reference("RotaryMotor").required().counted(1, 100),

@@ -12,7 +12,7 @@ constexpr double kTurn = 2 * std::numbers::pi;
 double encoderCount(double angle, double countsPerTurn) { return std::floor(angle / kTurn * countsPerTurn + 1e-9); }
 
 void Encoder::describe(Describe<Encoder>& d) {
-    d.help("Counts the steps that a joint turns or slides.");
+    d.help("Counts the steps that a joint turns or slides.").independent();
     d.field("Joint", &Encoder::m_jointName, reference("Hinge|Suspension|Slider").required(), "The joint it sits on.");
     Quantity counts = number().within(1, 1e9);
     counts.type = TRUNDLE_INTEGER;

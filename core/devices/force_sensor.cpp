@@ -9,7 +9,7 @@ constexpr std::size_t kForce = 0, kTorque = 1;
 } // namespace
 
 void ForceSensor::describe(Describe<ForceSensor>& d) {
-    d.help("Measures the force and the torque that act across a joint.");
+    d.help("Measures the force and the torque that act across a joint.").independent();
     d.field("Joint", &ForceSensor::m_jointName, reference("Fixed|Hinge|Slider|Ball|Universal|Suspension").required(),
             "The joint: its parent's force on its child is measured.");
     describeSensor(d);

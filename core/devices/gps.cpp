@@ -17,7 +17,7 @@ constexpr double kSkyRange = 1000, kLowestElevation = std::numbers::pi / 12; // 
 } // namespace
 
 void Gps::describe(Describe<Gps>& d) {
-    d.help("Measures position and velocity in the world.");
+    d.help("Measures position and velocity in the world.").independent();
     describeSensor(d);
     d.field("Noise", &Gps::m_noise, metres().within(0, 1e6).counted(1, 3),
             "Standard deviation of the position: of all axes, of x, y and of z, or of x, y, z.");

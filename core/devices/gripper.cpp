@@ -14,7 +14,7 @@ constexpr double kHolding = 0.95, kStill = 0.01; // of Force; of MaxSpeed
 } // namespace
 
 void Gripper::describe(Describe<Gripper>& d) {
-    d.help("Two jaws on sliders, which close with a force and hold by friction.");
+    d.help("Two jaws on sliders, which close with a force and hold by friction.").independent();
     d.field("Left", &Gripper::m_leftName, reference("Slider").required(), "The slider of one jaw; a positive position opens it.");
     d.field("Right", &Gripper::m_rightName, reference("Slider").required(), "The slider of the other jaw.");
     d.field("Force", &Gripper::m_force, newtons().within(1e-9, 1e9).required().live(), "With which each jaw presses, at rest.");

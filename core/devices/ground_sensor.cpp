@@ -27,7 +27,7 @@ std::vector<Vec3> placesOnDisc(double diameter) {
 }
 
 void GroundSensor::describe(Describe<GroundSensor>& d) {
-    d.help("Measures how much light the floor below it returns.");
+    d.help("Measures how much light the floor below it returns.").independent();
     describeSensor(d);
     d.field("MaxHeight", &GroundSensor::m_maxHeight, metres().above(0).atMost(1e3), "A floor farther below it is not seen: 0.");
     d.field("Spot", &GroundSensor::m_spot, metres().within(0, 1e3), "Diameter of what it sees, on average; 0: a point.");

@@ -46,7 +46,7 @@ Vec3 specificForce(const Vec3& change, const Vec3& ahead, const Vec3& gravity, c
 }
 
 void Imu::describe(Describe<Imu>& d) {
-    d.help("Measures angular velocity and acceleration at its place on a body.");
+    d.help("Measures angular velocity and acceleration at its place on a body.").independent();
     describeSensor(d);
     const Quantity size = number().within(0, 1e9);
     d.field("Noise", &Imu::m_noise, size.counted(1, 2),

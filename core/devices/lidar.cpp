@@ -28,7 +28,7 @@ Spread spreadOver(double fieldOfView, int count) {
 Lidar::Lidar() : m_fieldOfView(kFullCircle), m_verticalFieldOfView(kFullCircle / 12) {}
 
 void Lidar::describe(Describe<Lidar>& d) {
-    d.help("Measures distances along many beams that spread from one point.");
+    d.help("Measures distances along many beams that spread from one point.").independent();
     describeSensor(d);
     Quantity beams = number().within(1, 100000), layers = number().within(1, 1000);
     beams.type = layers.type = TRUNDLE_INTEGER;

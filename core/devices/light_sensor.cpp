@@ -10,7 +10,7 @@ constexpr double kFarthest = 1e4; // m: what is farther casts no shadow of the s
 } // namespace
 
 void LightSensor::describe(Describe<LightSensor>& d) {
-    d.help("Measures how bright it is in front of it.");
+    d.help("Measures how bright it is in front of it.").independent();
     describeSensor(d);
     d.field("Exponent", &LightSensor::m_exponent, number().within(0, 1000),
             "It weighs light by this power of the cosine of its angle from the x axis; 1: as a flat surface, more: narrower.");

@@ -69,7 +69,7 @@ std::optional<PlanePose> HolonomicDrive::truePose(const Services& world) {
 }
 
 void OmniDrive::describe(Describe<OmniDrive>& d) {
-    d.help("A base with three or more omni wheels around its middle, which moves in any direction.");
+    d.help("A base with three or more omni wheels around its middle, which moves in any direction.").independent();
     d.field("Motors", &OmniDrive::m_motors, reference("RotaryMotor").required().counted(3, 100),
             "Turn the wheels; a positive rate of all of them turns the base to the left.");
     describeRadius(d);
@@ -96,7 +96,7 @@ void OmniDrive::setup(Mount& mount) {
 }
 
 void MecanumDrive::describe(Describe<MecanumDrive>& d) {
-    d.help("A base with four mecanum wheels, which moves in any direction.");
+    d.help("A base with four mecanum wheels, which moves in any direction.").independent();
     const auto motor = reference("RotaryMotor").required();
     d.field("FrontLeftMotor", &MecanumDrive::m_frontLeft, motor, "Turns that wheel; forward is positive.");
     d.field("FrontRightMotor", &MecanumDrive::m_frontRight, motor, "Turns that wheel.");

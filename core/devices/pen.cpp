@@ -20,7 +20,7 @@ constexpr std::uint32_t kNumbers = 4;
 } // namespace
 
 void Pen::describe(Describe<Pen>& d) {
-    d.help("Draws a line on the floor below it while it is down; seen in the 3D view and by cameras.");
+    d.help("Draws a line on the floor below it while it is down; seen in the 3D view and by cameras.").independent();
     d.field("Body", &Pen::m_bodyName, reference("Body").required(), "The body it is fixed to.");
     d.field("Pos", &Pen::m_position, metres().within(-1e5, 1e5), "Its position in the body.");
     d.field("ColorRGB", &Pen::m_colour, number().within(0, 1), "Red, green and blue.");

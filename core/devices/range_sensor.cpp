@@ -32,7 +32,7 @@ std::vector<Vec3> directionsInCone(double coneAngle) {
 RangeSensor::RangeSensor() : m_maxIncidence(kSmoothWall), m_voltageCurve(std::begin(kSharpCurve), std::end(kSharpCurve)) {}
 
 void RangeSensor::describe(Describe<RangeSensor>& d) {
-    d.help("Measures the distance of what is in front of it, by infrared light or ultrasound.");
+    d.help("Measures the distance of what is in front of it, by infrared light or ultrasound.").independent();
     describeSensor(d);
     d.field("Type", &RangeSensor::m_type, oneOf("infrared|ultrasonic"),
             "Infrared: a thin beam. Ultrasonic: the nearest echo in a cone.");

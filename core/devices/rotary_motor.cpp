@@ -26,7 +26,7 @@ VoltageConstraint voltageConstraint(const MotorConstants& motor, double voltage,
 
 // The limits keep every product finite and are far beyond real motors.
 void RotaryMotor::describe(Describe<RotaryMotor>& d) {
-    d.help("A direct-current motor with a gear that turns a joint.");
+    d.help("A direct-current motor with a gear that turns a joint.").independent();
     d.field("Joint", &RotaryMotor::m_jointName, reference("Hinge|Suspension").required(), "The joint it turns.");
     d.field("TorqueConstant", &RotaryMotor::m_torqueConstant, unitOf("Nm/A").within(1e-9, 1e6).required().live(),
             "Torque per current, before the gear.");
@@ -60,7 +60,8 @@ void RotaryMotor::describe(Describe<RotaryMotor>& d) {
             "Steps of the driver's duty cycle from 0 to full, 255 for 8 bits; 0: continuous.");
     d.field("Backlash", &RotaryMotor::m_backlash, degrees().within(0, 90),
             "Play of the gear, at the joint: on its way from one flank to the other the motor moves nothing.");
-    d.field("RotorInertia", &RotaryMotor::m_rotorInertia, unitOf("kgm^2").within(0, 1e3), "Of the rotor, before the gear.");
+    d.field("RotorInertia", &RotaryMotor::m_rotorInertia, unitOf("kgm^2").within(0, 1e3),
+            "Of the rotor, before the gear, about the axis of the joint.");
     describeHeat(d);
     RotaryMotorSignals::describe(d);
 }
@@ -96,8 +97,7 @@ void RotaryMotor::setup(Mount& mount) {
     m_heat.start(m_ambient);
     m_play.start(m_backlash);
     m_joint = mount.joint(m_jointName);
-    // At the joint the rotor's inertia is G^2 times as large (energy: J (G w)^2 / 2).
-    if (m_rotorInertia > 0 && m_joint) mount.addAxialInertia(m_joint, m_gearRatio * m_gearRatio * m_rotorInertia);
+    if (m_rotorInertia > 0 && m_joint) mount.addRotor(m_joint, m_rotorInertia, m_gearRatio);
 }
 
 /// Applies the fields that may change during a run.

@@ -55,7 +55,7 @@ void JointServo::sense(Sensing& world) {
 }
 
 void Servo::describe(Describe<Servo>& d) {
-    d.help("Turns a joint to a position, or at a rate, by a controller of its own.");
+    d.help("Turns a joint to a position, or at a rate, by a controller of its own.").independent();
     d.field("Joint", &Servo::m_jointName, reference("Hinge|Suspension").required(), "The joint it turns.");
     d.field("Mode", &Servo::m_mode, oneOf("position|speed"), "What its target is.");
     d.field("MaxTorque", &Servo::m_maxEffort, newtonMetres().within(1e-9, 1e9).required().live(),
@@ -75,7 +75,7 @@ void Servo::publish(double at, double turning, double effort, bool isSaturated) 
 }
 
 void LinearMotor::describe(Describe<LinearMotor>& d) {
-    d.help("Moves a slider to a position, or at a speed, by a controller of its own.");
+    d.help("Moves a slider to a position, or at a speed, by a controller of its own.").independent();
     d.field("Joint", &LinearMotor::m_jointName, reference("Slider").required(), "The slider it moves.");
     d.field("Mode", &LinearMotor::m_mode, oneOf("position|speed"), "What its target is.");
     d.field("MaxForce", &LinearMotor::m_maxEffort, newtons().within(1e-9, 1e9).required().live(),

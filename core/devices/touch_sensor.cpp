@@ -3,7 +3,7 @@
 namespace trundle {
 
 void TouchSensor::describe(Describe<TouchSensor>& d) {
-    d.help("Detects contacts of geoms.");
+    d.help("Detects contacts of geoms.").independent();
     d.field("Geom", &TouchSensor::m_geomPaths, reference("Geom").required().counted(1, 1000),
             "The geoms whose contacts it detects, body.geom.");
     d.field("MinForce", &TouchSensor::m_minForceN, newtons().atLeast(0), "Weaker contacts are ignored.");

@@ -6,7 +6,7 @@
 namespace trundle {
 
 void TrackDrive::describe(Describe<TrackDrive>& d) {
-    d.help("A base on two tracks: turns speeds of the robot into speeds of the tracks.");
+    d.help("A base on two tracks: turns speeds of the robot into speeds of the tracks.").independent();
     d.field("LeftTrack", &TrackDrive::m_leftName, reference("Track").required(), "The left track.");
     d.field("RightTrack", &TrackDrive::m_rightName, reference("Track").required(), "The right track.");
     d.field("TrackSeparation", &TrackDrive::m_separationM, metres().within(1e-4, 1e3).required(), "Between the tracks' middles.");

@@ -13,7 +13,7 @@ Quantity wholeNumber(double low, double high) {
 } // namespace
 
 void Transceiver::describe(Describe<Transceiver>& d) {
-    d.help("Sends and receives packets by radio.");
+    d.help("Sends and receives packets by radio.").independent();
     d.field("Body", &Transceiver::m_bodyName, reference("Body").required(), "The body that carries its antenna.");
     d.field("Pos", &Transceiver::m_pos, metres().within(-1e5, 1e5), "Position of its antenna in the body.");
     d.field("HPR", &Transceiver::m_hpr, degrees().within(-1e6, 1e6),

@@ -33,9 +33,6 @@ public:
     void setDeviceText(DeviceText text) override { m_described->setDeviceText(std::move(text)); }
 
     // What only a simulation has.
-    [[nodiscard]] std::uint64_t quickTicks() const override { return 0; }
-    [[nodiscard]] std::uint64_t rescuedTicks() const override { return 0; }
-    [[nodiscard]] std::size_t largestExactCluster() const override { return 0; }
     [[nodiscard]] std::uint64_t stateHash() const override { return 0; }
     [[nodiscard]] RobotEnergy robotEnergy(std::size_t) const override { return {}; }
     [[nodiscard]] const std::vector<WorldContact>& contacts() const override { return m_contacts; }

@@ -356,6 +356,7 @@ std::optional<std::pair<Error, SourceRange>> ControllerSet::think() {
     const std::uint64_t tick = m_context.world.ticks();
     const double time = m_context.world.time();
     prepareUpdates(tick, time);
+    m_apart.run(m_controllers, m_context.world, m_context.calls, tick, time);
     for (RunningController& controller : m_controllers)
         while (controller.due && !isStopped(controller)) { // again if it was started in a new process
             const Status done = update(controller, tick, time);

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "run/apart_updates.h"
 #include "run/command.h"
 #include "run/command_claims.h"
 #include "run/running_controller.h"
@@ -75,6 +76,7 @@ private:
 
     Context m_context;
     std::vector<RunningController> m_controllers;
+    ApartUpdates m_apart;
     std::vector<StoppedController> m_stopped;
     std::map<std::string, std::set<Holder>> m_holders; ///< by robot
     CommandClaims m_claims;

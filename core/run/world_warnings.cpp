@@ -15,7 +15,7 @@ Diagnostic warningOf(Code code, std::string message, SourceRange range) {
 Diagnostic clusterWarning(const World& world, const std::string& time) {
     const SourceRange range = world.experiment().settings.solverRange;
     Diagnostic d = warningOf(Code::BigCluster,
-                             "at t = " + time + " s " + std::to_string(world.largestExactCluster()) +
+                             "at t = " + time + " s " + std::to_string(world.solves().largestExactCluster) +
                                  " contacts hang together; Solver = exact gets very slow with so many, auto takes the quick "
                                  "solver then",
                              range);
@@ -38,9 +38,10 @@ Diagnostic pileWarning(const World& world, const std::string& time) {
 void WorldWarnings::update(const World& world, std::vector<Diagnostic>& warnings) {
     const std::string tick = numberText(world.experiment().settings.tick),
                       time = numberText(tickTime(world.ticks(), world.experiment().settings.tick));
-    if (!m_cluster && world.largestExactCluster() > 0) warnings.push_back(clusterWarning(world, time));
-    m_cluster = world.largestExactCluster() > 0;
-    const bool quick = world.experiment().settings.solver == SolverChoice::Auto && world.quickTicks() > world.rescuedTicks();
+    if (!m_cluster && world.solves().largestExactCluster > 0) warnings.push_back(clusterWarning(world, time));
+    m_cluster = world.solves().largestExactCluster > 0;
+    const bool quick =
+        world.experiment().settings.solver == SolverChoice::Auto && world.solves().quickTicks > world.solves().rescuedTicks;
     if (!m_pile && quick) warnings.push_back(pileWarning(world, time));
     m_pile = m_pile || quick;
     const SweepReport sweeps = world.sweeps();

@@ -41,12 +41,11 @@ public:
     [[nodiscard]] SignalBlock& block() override { return *m_block; }
     [[nodiscard]] const SignalBlock& block() const override { return *m_block; }
     [[nodiscard]] Status tick() override;
+    [[nodiscard]] WorkTeam* threads() override { return m_engine->threads(false); }
     [[nodiscard]] const Fault* fault() const override { return m_fault ? &*m_fault : nullptr; }
     [[nodiscard]] const RobotFaultReport& robotFaults() const override { return m_robotFaults.report(); }
     [[nodiscard]] std::uint64_t ticks() const override { return m_ticks; }
-    [[nodiscard]] std::uint64_t quickTicks() const override { return m_engine->solves().quickTicks; }
-    [[nodiscard]] std::uint64_t rescuedTicks() const override { return m_engine->solves().rescuedTicks; }
-    [[nodiscard]] std::size_t largestExactCluster() const override { return m_engine->solves().largestExactCluster; }
+    [[nodiscard]] EngineSolves solves() const override { return m_engine->solves(); }
     [[nodiscard]] SweepReport sweeps() const override;
     [[nodiscard]] std::uint64_t stateHash() const override;
     [[nodiscard]] Pose robotPose(std::size_t robot) const override;

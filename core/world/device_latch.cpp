@@ -15,7 +15,7 @@ struct LatchCalls {
     static std::int32_t hold(void* context, std::uint32_t body, std::uint32_t geom) {
         const ServiceContext& call = caller(context);
         const WorldObjects& objects = call.host->objects;
-        if (!call.acts() || !call.host->engine.links) return -1;
+        if (!call.acts() || !call.mayShare("a latch") || !call.host->engine.links) return -1;
         if (!objects.isBody(body) || !objects.isGeom(geom) || objects.geom(geom).body == body) {
             call.device->note("hold was asked for something that is not there");
             return -1;
@@ -27,7 +27,8 @@ struct LatchCalls {
     }
     static void release(void* context) {
         const ServiceContext& call = caller(context);
-        if (call.acts() && call.host->engine.links) call.host->engine.links->setLatch(call.device->index, {}, std::nullopt);
+        if (call.acts() && call.mayShare("a latch") && call.host->engine.links)
+            call.host->engine.links->setLatch(call.device->index, {}, std::nullopt);
     }
     static std::int32_t held(void* context, double force[3], double torque[3]) {
         const ServiceContext& call = caller(context);

@@ -63,7 +63,7 @@ struct LightCalls {
 
     static void emitBeam(void* context, std::uint32_t body, const double point[3], double light, const TrundleBeam* beam) {
         const ServiceContext& call = *static_cast<const ServiceContext*>(context);
-        if (!call.acts() || !point || !call.host->objects.isBody(body)) return;
+        if (!call.acts() || !call.mayShare("a lamp") || !point || !call.host->objects.isBody(body)) return;
         LampMount mount{body, Vec3(point)};
         if (beam) mount.beam = *beam;
         if (mount.point.allFinite() && std::isfinite(light) && isBeam(mount.beam))

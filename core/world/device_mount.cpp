@@ -185,6 +185,11 @@ struct MountCalls {
         return host.objects.jointHasPosition(joint) && host.engine.addAxialInertia({joint}, inertia).ok() ? 0 : 1;
     }
 
+    static std::int32_t addRotor(void* context, std::uint32_t joint, double inertia, double ratio) {
+        const DeviceHost& host = *device(context).host;
+        return host.objects.jointHasPosition(joint) && host.engine.addRotor({joint}, inertia, ratio).ok() ? 0 : 1;
+    }
+
     static std::int32_t measureJoint(void* context, const char* name, std::uint32_t* out) {
         WorldDevice& d = device(context);
         const auto& joints = config(d).joints;
@@ -243,7 +248,8 @@ void fillMount(WorldDevice& device, double tick) {
                     MountCalls::print,
                     mountRadio(),
                     MountCalls::provideSupply,
-                    MountCalls::measureJoint};
+                    MountCalls::measureJoint,
+                    MountCalls::addRotor};
 }
 
 } // namespace trundle

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "world/engine.h"
+#include "world/rays/ray_targets.h"
 #include "world/world_device.h"
 #include "world/world_objects.h"
 

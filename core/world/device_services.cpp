@@ -11,6 +11,7 @@
 #include "world/device_rays.h"
 #include "world/device_supply.h"
 #include "world/device_texts.h"
+#include "world/rays/ray_targets.h"
 #include "world/world_objects.h"
 
 namespace trundle {
@@ -57,7 +58,9 @@ struct ServiceCalls {
     static void surfaceVelocity(void* context, std::uint32_t geom, const double velocity[3]) {
         const DeviceHost& w = world(context);
         const Vec3 v(velocity);
-        if (mayActOn(context, w.objects.isGeom(geom), v.allFinite(), "surfaceVelocity")) w.engine.setSurfaceVelocity({geom}, v);
+        if (mayActOn(context, w.objects.isGeom(geom), v.allFinite(), "surfaceVelocity") &&
+            caller(context).mayShare("a moving surface"))
+            w.engine.setSurfaceVelocity({geom}, v);
     }
 
     static double jointPosition(void* context, std::uint32_t joint) {
@@ -129,7 +132,10 @@ struct ServiceCalls {
 
     static void print(void* context, std::int32_t severity, const char* text) {
         const ServiceContext& call = caller(context);
-        if (call.isCalled() && text) call.host->texts.print(call.device->path, severity, moduleMessage(text).c_str());
+        if (!call.isCalled() || !text) return;
+        if (!call.phase->keepsTexts) return call.host->texts.print(call.device->path, severity, moduleMessage(text).c_str());
+        call.device->texts.emplace_back(severity, moduleMessage(text));
+        call.phase->printed.store(true, std::memory_order_relaxed);
     }
 };
 

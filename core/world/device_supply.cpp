@@ -30,21 +30,23 @@ struct SupplyCalls {
     }
     static void setVoltage(void* context, double voltage) {
         const ServiceContext& call = caller(context);
-        if (!senses(context) || !call.device->isSupply) return;
+        if (!senses(context) || !call.device->isSupply || !call.mayShare("a supply's voltage")) return;
         call.host->supply.setVoltage(call.robot, voltage);
         if (voltage <= 0) call.host->radio.switchOff(call.robot);
     }
 
     static void offer(void* context, std::uint32_t geom, double volts, double amperes) {
         const ServiceContext& call = caller(context);
-        if (call.acts() && call.host->objects.isGeom(geom)) call.host->chargers.offer(call.device->index, geom, volts, amperes);
+        if (call.acts() && call.mayShare("a charger") && call.host->objects.isGeom(geom))
+            call.host->chargers.offer(call.device->index, geom, volts, amperes);
     }
     static void offered(void* context, std::uint32_t geom, TrundleOffer* offer) {
         if (offer) *offer = caller(context).device->isSupply ? caller(context).host->chargers.offered(geom) : TrundleOffer{};
     }
     static void take(void* context, std::uint32_t geom, double volts, double amperes) {
         const ServiceContext& call = caller(context);
-        if (senses(context) && call.device->isSupply) call.host->chargers.take(geom, volts, amperes);
+        if (senses(context) && call.device->isSupply && call.mayShare("a charger"))
+            call.host->chargers.take(geom, volts, amperes);
     }
     static void taken(void* context, TrundleTaken* taken) {
         if (taken) *taken = caller(context).host->chargers.taken(caller(context).device->index);

@@ -21,24 +21,10 @@
 #include "model/body_spec.h"
 #include "model/experiment_spec.h"
 #include "model/joint_spec.h"
+#include "world/engine_reports.h"
 #include "world/joint_constraint.h"
-#include "world/rays/ray_query.h"
 
 namespace trundle {
-
-/// An object of the engine by its index. Nothing is removed, so a valid handle stays valid.
-template <class Tag> struct Handle {
-    std::uint32_t index = 0xffffffffu;
-    [[nodiscard]] bool valid() const { return index != 0xffffffffu; }
-    bool operator==(const Handle&) const = default;
-};
-using ActorHandle = Handle<struct ActorTag>;
-using BodyHandle = Handle<struct BodyTag>;
-using JointHandle = Handle<struct JointTag>;
-using GeomHandle = Handle<struct GeomTag>;
-using CouplingHandle = Handle<struct CouplingTag>;
-
-inline constexpr std::uint32_t kNoActor = 0xffffffffu; ///< partner of a contact with a static
 
 /// Maximum contacts per cluster for the exact solver, whose time grows excessively: above it Solver = auto uses the quick one.
 inline constexpr std::size_t kExactClusterMax = 60;
@@ -51,7 +37,7 @@ struct EngineSettings {
     double errorReduction = 0.8; ///< fraction of a joint's position error corrected per step (ODE's ERP)
     std::vector<SurfaceSpec> surfaces;
     CallMonitor* calls = nullptr; ///< informed of large clusters before each step that solves them; must outlive the engine
-    unsigned threads = 1;         ///< that may work in step(); no result depends on it
+    unsigned threads = 1;         ///< no result depends on it
 };
 
 /// A body of an actor. `pose` is the pose of the body's frame in the world; the spec is read only during the call.
@@ -87,52 +73,9 @@ struct BodyState {
     Vec3 angular = Vec3::Zero();
 };
 
-/// Of a spring or gear after the last step.
-struct CouplingState {
-    double length = 0, rate = 0; ///< of a spring, m and m/s
-    double effort = 0;           ///< of a spring N, positive where it pulls; of a gear what it does to its first joint: N m or N
-};
-
-/// Of the whole run.
-struct EngineSolves {
-    std::uint64_t quickTicks = 0;   ///< solved by the quick solver, whether selected or as a fallback
-    std::uint64_t rescuedTicks = 0; ///< that the exact solver could not solve at the first attempt, whatever the outcome
-    /// Most contacts in a cluster that the exact solver has solved because of Solver = exact; counted only above kExactClusterMax.
-    std::size_t largestExactCluster = 0;
-};
-
-/// One contact of the last step, sorted by (actor, partner, geom).
-struct EngineContact {
-    std::uint32_t actor = 0;
-    std::uint32_t partner = kNoActor;
-    std::uint32_t first = 0, second = 0; ///< geom indices; `first` belongs to `actor`
-    Vec3 position = Vec3::Zero();
-    Vec3 normal = Vec3::UnitZ(); ///< towards `first`
-    double depth = 0;
-    double force = 0;             ///< N along the normal
-    Vec3 friction = Vec3::Zero(); ///< N across the normal, on `first`
-};
-
-/// Why a step failed, after which the engine cannot be used any more, or why an actor ended.
-struct EngineFault {
-    BodyHandle body; ///< invalid if the whole world is affected
-    std::string reason;
-};
-
-/// Of the whole run.
-struct EngineSweeps {
-    std::uint64_t bodies = 0; ///< times ticks in which one moved farther than it is thick, so that its path was searched
-    /// Geoms of two actors that passed through each other within a tick; once for two actors, the first 20.
-    std::span<const std::pair<std::uint32_t, std::uint32_t>> passages;
-};
-
-/// Faults of single actors.
-struct ActorFaultReport {
-    std::span<const EngineFault> ended;        ///< one for each that has ended, in this order: it stays there and touches nothing
-    std::span<const EngineFault> closedJoints; ///< the first joint of each actor that a tick tore open and that was closed again
-};
-
 class EngineLinks;
+class RayTargets;
+class WorkTeam;
 
 class Engine {
 public:
@@ -155,10 +98,10 @@ public:
     /// kept.
     virtual void moveActor(ActorHandle actor, const Pose& motion) = 0;
 
-    /// Adds the inertia (kg m^2) of a geared rotor about a joint's axis to the child body. Only before the first step; not for
-    /// sliders.
+    /// Adds an inertia (kg m^2) about a joint's axis to the child body. Only before the first step, as the next; not for sliders.
     [[nodiscard]] virtual Status addAxialInertia(JointHandle joint, double inertia) = 0;
-
+    /// Adds a rotor (kg m^2) on the parent that turns `ratio` times as far against it as the child does, about a joint's axis.
+    [[nodiscard]] virtual Status addRotor(JointHandle joint, double inertia, double ratio) = 0;
     /// Measures the wrench of a joint from the next step on.
     [[nodiscard]] virtual Status measureWrench(JointHandle joint) = 0;
 
@@ -180,10 +123,14 @@ public:
     [[nodiscard]] virtual CouplingState coupling(CouplingHandle coupling) const = 0;
     [[nodiscard]] virtual std::size_t contactCount() const = 0;
     [[nodiscard]] virtual EngineContact contact(std::size_t index) const = 0;
-    /// Indices of the contacts of one geom, ascending. Valid until the next call and the next step.
+    /// Indices of the contacts of one geom, ascending. Valid until the next call of the same thread and the next step.
     [[nodiscard]] virtual std::span<const std::uint32_t> contactsOf(GeomHandle geom) const = 0;
     /// Casts rays against all geoms.
     [[nodiscard]] virtual const RayTargets& rays() const = 0;
+
+    /// The threads of the steps, which between them may read at the same time and, where it is asked for, write to different actors.
+    /// nullptr: one thread.
+    [[nodiscard]] virtual WorkTeam* threads(bool write) = 0;
 
     [[nodiscard]] virtual EngineSolves solves() const = 0;
     [[nodiscard]] virtual EngineSweeps sweeps() const = 0;

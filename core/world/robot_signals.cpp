@@ -4,12 +4,15 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/platform/work_team.h"
 #include "model/signal_count.h"
 #include "world/signal_plan.h"
 
 namespace trundle {
 
 namespace {
+
+constexpr std::size_t kPublishedByThread = 32; // fewer are done before another thread has begun
 
 double* put(double* to, const Vec3& v) {
     to[0] = v.x();
@@ -102,10 +105,14 @@ SignalLayout RobotSignals::layOut(const ExperimentSpec& experiment, const WorldO
     return layout;
 }
 
-void RobotSignals::publish(const WorldObjects& objects, const Engine& engine, const WorldRegions& regions, std::uint64_t ticks,
+void RobotSignals::publish(const WorldObjects& objects, Engine& engine, const WorldRegions& regions, std::uint64_t ticks,
                            SignalBlock& block) const {
-    for (std::size_t i = 0; i < m_images.size(); ++i)
-        publishRobot(objects.robots()[i], objects, engine, ticks, block.slots().data() + m_images[i]);
+    const auto part = [&](unsigned, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            publishRobot(objects.robots()[i], objects, engine, ticks, block.slots().data() + m_images[i]);
+    };
+    if (WorkTeam* team = engine.threads(false)) team->split(m_images.size(), kPublishedByThread, part);
+    else part(0, 0, m_images.size());
     double* to = block.slots().data() + m_between;
     for (const JointHandle joint : objects.joints()) to = putJoint(to, joint, objects, engine);
     for (const CouplingHandle spring : objects.springs()) to = putSpring(to, engine.coupling(spring));

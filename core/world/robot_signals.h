@@ -16,7 +16,7 @@ public:
     /// For each robot: its state signals, contiguous, then those of the devices and of the controller. After the robots what is between
     /// them: joints, springs, regions.
     [[nodiscard]] SignalLayout layOut(const ExperimentSpec& experiment, const WorldObjects& objects, WorldDevices& devices);
-    void publish(const WorldObjects& objects, const Engine& engine, const WorldRegions& regions, std::uint64_t ticks,
+    void publish(const WorldObjects& objects, Engine& engine, const WorldRegions& regions, std::uint64_t ticks,
                  SignalBlock& block) const;
 
 private:

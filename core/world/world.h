@@ -17,6 +17,7 @@
 #include "model/experiment_spec.h"
 #include "signals/block.h"
 #include "signals/layout.h"
+#include "world/engine_solves.h"
 
 namespace trundle {
 
@@ -78,6 +79,8 @@ struct SweepReport {
     std::vector<std::pair<std::string, std::string>> passed; ///< geoms that passed through each other; once for two robots
 };
 
+class WorkTeam;
+
 class World {
 public:
     /// Builds everything at its start pose; tick 0 is the initial state with valid signals. Everything that cannot be built is
@@ -94,6 +97,8 @@ public:
 
     /// Runs act, collide, step, sense, publish. After a fault() the world cannot be stepped again: E501 names body and time.
     [[nodiscard]] virtual Status tick() = 0;
+    /// The threads of the ticks, for controllers between them; nullptr: one.
+    [[nodiscard]] virtual WorkTeam* threads() { return nullptr; }
     [[nodiscard]] virtual const Fault* fault() const = 0;
 
     /// A world in which no robot is left has a fault() too.
@@ -101,15 +106,7 @@ public:
 
     [[nodiscard]] virtual std::uint64_t ticks() const = 0;
     [[nodiscard]] double time() const { return static_cast<double>(ticks()) * experiment().settings.tick; }
-    /// Ticks solved by the quick solver: all with Solver = quick, those with large clusters with auto, and those the exact solver
-    /// failed on.
-    [[nodiscard]] virtual std::uint64_t quickTicks() const = 0;
-    /// Ticks that the exact solver could not solve at the first attempt: repeated with softer constraints, finally by the quick
-    /// solver.
-    [[nodiscard]] virtual std::uint64_t rescuedTicks() const = 0;
-    /// Contacts in the largest cluster solved because of Solver = exact, if above the recommended maximum (kExactClusterMax);
-    /// otherwise 0.
-    [[nodiscard]] virtual std::size_t largestExactCluster() const = 0;
+    [[nodiscard]] virtual EngineSolves solves() const { return {}; } ///< of the whole run
     [[nodiscard]] virtual SweepReport sweeps() const { return {}; } ///< of the whole run
 
     /// FNV-1a 64 over position, quaternion (w x y z), linear and angular velocity as little-endian doubles, bodies in path order.

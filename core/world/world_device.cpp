@@ -12,9 +12,15 @@ WorldDevice::~WorldDevice() {
     kind->destroy(instance);
 }
 
+bool ServiceContext::mayShare(const char* what) const {
+    if (!phase->isApart) return true;
+    device->note("its kind says that it is independent of other robots, and it asks for " + std::string(what));
+    return false;
+}
+
 void WorldDevice::note(const std::string& why) {
     if (failure.empty()) failure = why;
-    if (phase) phase->noted = true;
+    if (phase) phase->noted.store(true, std::memory_order_relaxed);
 }
 
 std::string WorldDevice::lastError() const {

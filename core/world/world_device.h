@@ -1,10 +1,12 @@
 #pragma once
 // A device of a robot in a world, and what it can reach of that world.
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <trundle/abi.h>
@@ -29,17 +31,22 @@ struct WorldDevice;
 struct DevicePhase {
     std::uint64_t ticks = 0;
     enum class Calls { None, Act, Sense } calls = Calls::None;
-    bool noted = false; ///< some device has a failure
+    bool isApart = false;              ///< devices of other robots may be called at the same time
+    bool keepsTexts = false;           ///< several threads call devices, so that what is printed has no order yet
+    std::atomic<bool> noted = false;   ///< some device has a failure
+    std::atomic<bool> printed = false; ///< some device has texts that are not passed on yet
 };
 
 /// The context of a device's TrundleServices: who calls, and when. Those of all devices lie side by side.
 struct ServiceContext {
     const DeviceHost* host = nullptr;
     WorldDevice* device = nullptr;
-    const DevicePhase* phase = nullptr;
+    DevicePhase* phase = nullptr;
     std::uint32_t robot = 0;
 
     [[nodiscard]] bool acts() const { return phase->calls == DevicePhase::Calls::Act; }
+    /// False, and the device has failed: what it asks for is shared by robots, and it said that it is independent of them.
+    [[nodiscard]] bool mayShare(const char* what) const;
     [[nodiscard]] bool isCalled() const { return phase->calls != DevicePhase::Calls::None; }
 };
 
@@ -62,6 +69,7 @@ struct WorldDevice {
     DevicePhase* phase = nullptr; ///< from its setup on
     std::string failure;          ///< the first failure reported
     std::string scratch;          ///< owns a text returned to the device
+    std::vector<std::pair<std::int32_t, std::string>> texts; ///< printed while several devices are called at the same time
 
     WorldDevice() = default;
     WorldDevice(const WorldDevice&) = delete;

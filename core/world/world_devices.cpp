@@ -5,7 +5,9 @@
 
 #include <trundle/device_signals.h>
 
+#include "base/platform/work_team.h"
 #include "base/rng.h"
+#include "schema/kind_traits.h"
 #include "world/device_mount.h"
 #include "world/device_order.h"
 #include "world/device_services.h"
@@ -25,7 +27,6 @@ struct GivenField {
 namespace {
 
 constexpr std::size_t kMaxNames = 200;            // bytes of the devices that a message names
-constexpr std::size_t kAhead = 3;                 // calls: by that the memory of a device is asked for before it is called
 constexpr std::uint64_t kMaxNumbers = 20'000'000; // in the signals of all devices: 160 MB
 
 /// Values whose key is not a field of the kind (the module may be newer or older than its text) are ignored.
@@ -43,10 +44,12 @@ std::vector<GivenField> givenFields(const WorldDevice& device) {
     return fields;
 }
 
-/// The devices of a large world do not fit the caches.
-void prefetch(const void* instance) {
-    constexpr std::size_t kLine = 64, kBytes = 640;
-    for (std::size_t at = 0; at < kBytes; at += kLine) __builtin_prefetch(static_cast<const char*>(instance) + at);
+/// By element: the lists that it is in.
+std::vector<std::vector<std::uint32_t>> inverse(const std::vector<std::vector<std::uint32_t>>& lists) {
+    std::vector<std::vector<std::uint32_t>> found(lists.size());
+    for (std::uint32_t i = 0; i < lists.size(); ++i)
+        for (const std::uint32_t each : lists[i]) found[each].push_back(i);
+    return found;
 }
 
 } // namespace
@@ -154,7 +157,9 @@ void WorldDevices::layOutLike(std::uint32_t robot, std::uint32_t equal, std::uin
 
 void WorldDevices::setup(const DeviceHost& host, Diagnostics& diagnostics) {
     m_tick = host.experiment.settings.tick;
-    fillServices(m_services, m_tick);
+    const WorkTeam* threads = host.engine.threads(false);
+    m_services.resize(threads ? threads->size() : 1);
+    for (ThreadServices& services : m_services) fillServices(services.table, m_tick);
     m_contexts.reserve(m_devices.all.size());
     for (auto& device : m_devices.all) {
         device->host = &host;
@@ -171,23 +176,36 @@ void WorldDevices::setup(const DeviceHost& host, Diagnostics& diagnostics) {
 }
 
 void WorldDevices::order(Diagnostics& diagnostics) {
-    std::vector<std::vector<std::uint32_t>> peers, users(m_devices.all.size());
-    for (const auto& device : m_devices.all) {
-        peers.push_back(device->peers);
-        for (const std::uint32_t p : device->peers) users[p].push_back(device->index);
-    }
+    std::vector<std::vector<std::uint32_t>> peers;
+    for (const auto& device : m_devices.all) peers.push_back(device->peers);
+    std::vector<std::vector<std::uint32_t>> users = inverse(peers);
+    const std::vector<std::uint32_t> acting = actingOrder(peers);
+    const std::vector<bool> actsApart = independent(acting, users);
     addSupplies(users);
-    const std::vector<std::uint32_t> acting = actingOrder(peers), sensing = actingOrder(users);
+    const std::vector<std::uint32_t> sensing = actingOrder(users);
+    const std::vector<bool> sensesApart = independent(sensing, inverse(users));
     for (const std::uint32_t i : acting)
-        if (WorldDevice& d = *m_devices.all[i]; d.kind->act) {
-            m_acting.push_back({d.kind->act, d.instance, &m_contexts[i], d.target});
-            if (d.spec->kind == LedSignals::kKind) m_leds.push_back(m_acting.back());
+        if (const WorldDevice& d = *m_devices.all[i]; d.kind->act) {
+            const DeviceCall call{d.kind->act, d.instance, &m_contexts[i], d.target};
+            m_acting.add(call, actsApart[i]);
+            if (d.spec->kind == LedSignals::kKind) m_leds.add(call, false);
         }
     for (const std::uint32_t i : sensing)
-        if (WorldDevice& d = *m_devices.all[i]; d.kind->sense)
-            m_sensing.push_back({d.kind->sense, d.instance, &m_contexts[i], d.target});
+        if (const WorldDevice& d = *m_devices.all[i]; d.kind->sense)
+            m_sensing.add({d.kind->sense, d.instance, &m_contexts[i], d.target}, sensesApart[i]);
+    for (PhaseCalls* calls : {&m_acting, &m_sensing, &m_leds}) calls->arrange();
     if (acting.size() != m_devices.all.size()) reportCircle(acting, diagnostics);
     else if (sensing.size() != m_devices.all.size()) reportCircle(sensing, diagnostics);
+}
+
+/// By device: it is independent, and so are all that it waits for in this order. `before`: by device, whom it follows directly.
+std::vector<bool> WorldDevices::independent(const std::vector<std::uint32_t>& order,
+                                            const std::vector<std::vector<std::uint32_t>>& before) const {
+    std::vector<bool> apart(m_devices.all.size());
+    for (const std::uint32_t i : order)
+        apart[i] =
+            isIndependent(*m_devices.all[i]->kind) && std::ranges::all_of(before[i], [&](std::uint32_t k) { return apart[k]; });
+    return apart;
 }
 
 /// The supply of a robot senses after all devices of it that do not sense after it anyway.
@@ -216,34 +234,16 @@ void WorldDevices::reportCircle(const std::vector<std::uint32_t>& acting, Diagno
     diagnostics.error(Code::DeviceSetup, first->spec->nameRange, "these devices drive each other in a circle: " + names);
 }
 
-const WorldDevice* WorldDevices::callAll(std::uint64_t ticks, DevicePhase::Calls phase, std::span<const Call> calls) {
+const WorldDevice* WorldDevices::callAll(std::uint64_t ticks, DevicePhase::Calls phase, const PhaseCalls& calls) {
+    if (m_devices.all.empty()) return nullptr;
     m_phase.ticks = ticks;
     m_phase.calls = phase;
-    m_services.time = static_cast<double>(ticks) * m_tick;
-    const WorldDevice* failed = nullptr;
-    MonitoredCalls monitored(m_calls, phase == DevicePhase::Calls::Act ? "act" : "sense");
-    for (std::size_t i = 0; i < calls.size(); ++i) {
-        const Call& call = calls[i];
-        if (i + kAhead < calls.size()) prefetch(calls[i + kAhead].instance);
-        m_services.context = call.context;
-        monitored.next(call.target);
-        const std::int32_t answer = call.run(call.instance, &m_services);
-        monitored.restoreFloatingPoint();
-        if (answer == 0 && !m_phase.noted) continue;
-        WorldDevice& device = *call.context->device;
-        if (answer == 0 && device.failure.empty()) continue;
-        if (device.failure.empty()) device.note(device.lastError());
-        failed = &device;
-        break;
-    }
+    for (ThreadServices& services : m_services) services.table.time = static_cast<double>(ticks) * m_tick;
+    Engine& engine = m_devices.all.front()->host->engine;
+    WorkTeam* team = engine.threads(phase == DevicePhase::Calls::Act);
+    const WorldDevice* failed = calls.run({m_calls, m_phase, m_services, team});
     m_phase.calls = DevicePhase::Calls::None;
     return failed;
-}
-
-void WorldDevices::end(std::uint32_t robot) {
-    const auto isOfRobot = [robot](const Call& call) { return call.context->robot == robot; };
-    std::erase_if(m_acting, isOfRobot);
-    std::erase_if(m_sensing, isOfRobot);
 }
 
 } // namespace trundle

@@ -6,8 +6,8 @@
 
 #include "base/diagnostic.h"
 #include "signals/layout.h"
+#include "world/phase_calls.h"
 #include "world/world.h"
-#include "world/world_device.h"
 
 namespace trundle {
 
@@ -37,34 +37,32 @@ public:
     [[nodiscard]] const WorldDevice* sense(std::uint64_t ticks) { return callAll(ticks, DevicePhase::Calls::Sense, m_sensing); }
 
     /// The devices of a robot are not called any more.
-    void end(std::uint32_t robot);
+    void end(std::uint32_t robot) {
+        m_acting.remove(robot);
+        m_sensing.remove(robot);
+    }
 
     [[nodiscard]] const DeviceList& list() const { return m_devices; }
 
 private:
-    /// One call of a device's act or sense, stored contiguously for the tick.
-    struct Call {
-        std::int32_t (*run)(void*, const TrundleServices*) = nullptr;
-        void* instance = nullptr;
-        ServiceContext* context = nullptr;
-        const CallTarget* target = nullptr;
-    };
     [[nodiscard]] std::unique_ptr<WorldDevice> made(const BuiltRobot& robot, const ComponentSpec& spec, std::uint32_t robotIndex,
                                                     const DeviceCode& code, Diagnostics& diagnostics);
     void instantiate(WorldDevice& device, Diagnostics& diagnostics);
     [[nodiscard]] static bool giveFields(WorldDevice& device, std::span<const GivenField> fields, Diagnostics& diagnostics);
     [[nodiscard]] bool hasRoom(const WorldDevice& device, Diagnostics& diagnostics);
+    [[nodiscard]] std::vector<bool> independent(const std::vector<std::uint32_t>& order,
+                                                const std::vector<std::vector<std::uint32_t>>& before) const;
     void addSupplies(std::vector<std::vector<std::uint32_t>>& next) const;
     void reportCircle(const std::vector<std::uint32_t>& acting, Diagnostics& diagnostics) const;
-    [[nodiscard]] const WorldDevice* callAll(std::uint64_t ticks, DevicePhase::Calls phase, std::span<const Call> calls);
+    [[nodiscard]] const WorldDevice* callAll(std::uint64_t ticks, DevicePhase::Calls phase, const PhaseCalls& calls);
 
     CallMonitor& m_calls;
     DevicePhase m_phase; ///< outlives the devices
     DeviceList m_devices;
     std::vector<ServiceContext> m_contexts; ///< by device
-    std::vector<Call> m_acting, m_sensing;  ///< in calling order; without devices that lack the function
-    std::vector<Call> m_leds;               ///< of m_acting
-    TrundleServices m_services{};           ///< one table for all, which stays in the cache
+    PhaseCalls m_acting, m_sensing;         ///< without devices that lack the function
+    PhaseCalls m_leds;                      ///< of m_acting
+    std::vector<ThreadServices> m_services; ///< by thread; one for all its calls, which stays in its cache
     double m_tick = 0;                      ///< s
     std::uint64_t m_numbers = 0;            ///< in the signals of all devices
 };

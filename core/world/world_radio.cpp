@@ -1,5 +1,7 @@
 #include "world/world_radio.h"
 
+#include "world/rays/ray_targets.h"
+
 #include <algorithm>
 #include <cmath>
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <thread>
 #include <vector>
 
 #include "base/platform/work_team.h"
@@ -68,6 +69,18 @@ private Q_SLOTS:
                     }
                     QCOMPARE(next, count);
                 }
+    }
+
+    /// A piece that its thread has not begun when the caller is ready is done by the caller: threads that wake late hold up nothing.
+    void theCallerDoesWhatIsNotBegun() {
+        WorkTeam team(3);
+        const auto caller = std::this_thread::get_id();
+        int byCaller = 0, rounds = 0; // written by the caller alone
+        while (byCaller == 0 && ++rounds < 100'000)
+            team.run(3, [&](unsigned worker) {
+                if (worker > 0 && std::this_thread::get_id() == caller) ++byCaller;
+            });
+        QVERIFY(byCaller > 0);
     }
 
     void whatOneRoundWroteTheNextReads() {

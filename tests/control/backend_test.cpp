@@ -134,8 +134,8 @@ private Q_SLOTS:
     void aModuleOfAnOlderSdkRuns_data() {
         QTest::addColumn<QByteArray>("version");
         QTest::addColumn<int>("minor");
-        const std::pair<const char*, int> versions[] = {{"1.2", 2}, {"1.3", 3}, {"1.4", 4}, {"1.5", 4},  {"1.6", 5},
-                                                        {"1.7", 6}, {"1.8", 7}, {"1.9", 7}, {"1.10", 8}, {"1.11", 9}};
+        const std::pair<const char*, int> versions[] = {{"1.2", 2}, {"1.3", 3}, {"1.4", 4},  {"1.5", 4},  {"1.6", 5}, {"1.7", 6},
+                                                        {"1.8", 7}, {"1.9", 7}, {"1.10", 8}, {"1.11", 9}, {"1.12", 9}};
         for (const auto& [version, interface] : versions) QTest::newRow(version) << QByteArray(version) << interface;
     }
     void aModuleOfAnOlderSdkRuns() {

@@ -127,6 +127,10 @@ private:
             self(c).m_joints[joint].inertia += inertia;
             return 0;
         };
+        mount.addRotor = [](void* c, std::uint32_t joint, double inertia, double ratio) -> std::int32_t {
+            self(c).m_joints[joint].inertia += ratio * ratio * inertia;
+            return 0;
+        };
         if (d.code->setupDevice(d.instance, &mount) == 0) return d.failure;
         return d.failure.empty() ? d.code->lastError(d.instance) : d.failure;
     }

@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "base/platform/work_team.h"
 #include "world/world.h"
 
 namespace trundle {
@@ -25,11 +26,10 @@ public:
         story += "step ";
         return {};
     }
+    WorkTeam* threads() override { return team.get(); }
     const Fault* fault() const override { return m_fault ? &*m_fault : nullptr; }
     std::uint64_t ticks() const override { return m_ticks; }
-    std::uint64_t quickTicks() const override { return quick; }
-    std::uint64_t rescuedTicks() const override { return rescued; }
-    std::size_t largestExactCluster() const override { return cluster; }
+    EngineSolves solves() const override { return {quick, rescued, cluster}; }
     SweepReport sweeps() const override { return swept; }
     std::uint64_t stateHash() const override { return m_ticks; }
     Pose robotPose(std::size_t robot) const override { return {{time(), static_cast<double>(robot), 0}, Quat::Identity()}; }
@@ -52,6 +52,7 @@ public:
     SweepReport swept;
     RobotFaultReport faults;
     DeviceText say;
+    std::unique_ptr<WorkTeam> team; ///< null: one thread
 
 private:
     static SignalLayout layoutOf(const ExperimentSpec& experiment) {

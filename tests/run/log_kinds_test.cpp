@@ -41,9 +41,6 @@ public:
     Status tick() override { return m_inner.tick(); }
     const Fault* fault() const override { return nullptr; }
     std::uint64_t ticks() const override { return m_inner.ticks(); }
-    std::uint64_t quickTicks() const override { return 0; }
-    std::uint64_t rescuedTicks() const override { return 0; }
-    std::size_t largestExactCluster() const override { return 0; }
     std::uint64_t stateHash() const override { return 0; }
     Pose robotPose(std::size_t) const override { return {}; }
     RobotEnergy robotEnergy(std::size_t) const override { return {}; }

@@ -73,6 +73,7 @@ struct Probe : Device {
         m.signal("out").set(m.peerNumber("motor", "Gear", 7) + m.peerNumber("motor", "None", 0.5));
         m.peer("RotaryMotor", "motor", "voltage").set(m.tick());
         m.addAxialInertia(id, 0.25);
+        m.addRotor(id, 0.5, 3);
         m.warn(m.path() + " " + m.peerText("motor", "Joint") + m.peerText("motor", "None"));
     }
     void act(Actuation& w) override {
@@ -359,6 +360,10 @@ private Q_SLOTS:
             recordCall("inertia " + std::to_string(id) + " " + Host::text(i));
             return id == 1 ? 0 : 1;
         };
+        mount.addRotor = [](void*, std::uint32_t id, double i, double ratio) -> std::int32_t {
+            recordCall("rotor " + std::to_string(id) + " " + Host::text(i) + "," + Host::text(ratio));
+            return id == 1 ? 0 : 1;
+        };
         mount.print = [](void*, std::int32_t s, const char* t) { recordCall("print " + std::to_string(s) + " " + t); };
         mount.radio = &openRadio;
         TrundleServices services{};
@@ -380,9 +385,13 @@ private Q_SLOTS:
         QCOMPARE(out, 30.5);
         QCOMPARE(voltage, 0.03);
         QCOMPARE(table->kind.act(probe, &services), 0);
-        const std::vector<std::string> calls{"inertia 1 0.25", "print 2 r/probe axle", "row 1 1,2,3",
-                                             "torque 1 4",     "force 2 1,2,3 4,5,6",  "belt 3 7,8,9"};
+        const std::vector<std::string> calls{"inertia 1 0.25", "rotor 1 0.5,3",       "print 2 r/probe axle", "row 1 1,2,3",
+                                             "torque 1 4",     "force 2 1,2,3 4,5,6", "belt 3 7,8,9"};
         QCOMPARE(g_calls, calls);
+        g_calls.clear();
+        mount.size = offsetof(TrundleMount, addRotor); // of an older Trundle: the child has the whole inertia
+        QCOMPARE(table->kind.setupDevice(probe, &mount), 0);
+        QCOMPARE(g_calls.at(1), std::string("inertia 1 4.5"));
         const char* wrong = "x";
         const TrundleValue value{nullptr, &wrong, 1};
         QCOMPARE(table->kind.set(probe, 0, &value), 0);

@@ -92,7 +92,7 @@ Run runOf(Scene scene, int robots, int ticks) {
         steer(*world, robots);
         if (!world->tick()) return {0, 0, false};
     }
-    return {world->stateHash(), world->quickTicks(), true};
+    return {world->stateHash(), world->solves().quickTicks, true};
 }
 
 } // namespace
@@ -213,8 +213,8 @@ private Q_SLOTS:
                 for (const char* motor : {"/leftMotor", "/rightMotor"}) command(*b, "jam" + std::to_string(r) + motor, 8, 0, 5.4);
             QVERIFY(a->tick().ok() && b->tick().ok());
         }
-        if (trouble == "pile") QVERIFY(b->quickTicks() > 0);
-        if (trouble == "knot") QVERIFY(b->rescuedTicks() > 200);
+        if (trouble == "pile") QVERIFY(b->solves().quickTicks > 0);
+        if (trouble == "knot") QVERIFY(b->solves().rescuedTicks > 200);
         for (const SignalEntry& entry : a->layout().entries())
             for (std::uint32_t k = 0; k < entry.count; ++k)
                 QVERIFY2(value(*b, entry.path, static_cast<int>(k)) == value(*a, entry.path, static_cast<int>(k)),
@@ -258,11 +258,11 @@ private Q_SLOTS:
                 QCOMPARE(other->stateHash(), one->stateHash());
             }
         }
-        if (trouble == "knot") QVERIFY(one->rescuedTicks() > 100);
-        if (trouble == "pile") QVERIFY(one->quickTicks() > 0);
+        if (trouble == "knot") QVERIFY(one->solves().rescuedTicks > 100);
+        if (trouble == "pile") QVERIFY(one->solves().quickTicks > 0);
         for (auto& other : others) {
-            QCOMPARE(other->rescuedTicks(), one->rescuedTicks());
-            QCOMPARE(other->quickTicks(), one->quickTicks());
+            QCOMPARE(other->solves().rescuedTicks, one->solves().rescuedTicks);
+            QCOMPARE(other->solves().quickTicks, one->solves().quickTicks);
         }
     }
 

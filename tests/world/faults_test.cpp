@@ -310,8 +310,8 @@ private Q_SLOTS:
                 QVERIFY(world->push("alone/body", {30, -20, 50}, position(*world, "alone/body") + Vec3(0.2, 0.3, -0.1)).ok());
                 QVERIFY(world->tick().ok());
             }
-            QCOMPARE(world->rescuedTicks(), joints == 1 ? 0u : 20u);
-            QCOMPARE(world->quickTicks() > 0, joints == 4);
+            QCOMPARE(world->solves().rescuedTicks, joints == 1 ? 0u : 20u);
+            QCOMPARE(world->solves().quickTicks > 0, joints == 4);
             for (const char* path : {"alone/body/pose", "alone/body/velocity"}) {
                 const auto entry = world->layout().find(path);
                 ends[joints / 2].insert(ends[joints / 2].end(), slot(*world, path), slot(*world, path) + entry->count);
@@ -345,7 +345,7 @@ private Q_SLOTS:
         scene.scenery({plane("floor", {}, 1)}).robot("r", {}, r0());
         auto world = scene.build();
         QVERIFY(run(*world, 0.5));
-        QCOMPARE(world->quickTicks(), world->ticks());
+        QCOMPARE(world->solves().quickTicks, world->ticks());
     }
 
     /// Every fault message names a body and a remedy, and does not quote the engine's messages.

@@ -6,6 +6,7 @@
 
 #include "world/engine.h"
 #include "world/ray_reference.h"
+#include "world/rays/ray_targets.h"
 
 using namespace fixture;
 

@@ -4,6 +4,7 @@
 #include "world/engine.h"
 #include "world/ray_reference.h"
 #include "world/rays/beam_table.h"
+#include "world/rays/ray_targets.h"
 #include "world/wheeled/wheeled.h"
 
 using namespace fixture;

@@ -30,6 +30,8 @@ RunOfThread::~RunOfThread() { t_run = nullptr; }
 
 const CallMonitor* runOfThread() noexcept { return t_run; }
 
+void setRunOfThread(const CallMonitor* run) noexcept { t_run = run; }
+
 std::array<const CallMonitor*, kRuns> recentRuns() noexcept {
     std::array<const CallMonitor*, kRuns> runs{};
     const std::size_t count = s_count;

@@ -20,6 +20,9 @@ public:
 /// The run of the calling thread; nullptr: none. Async-signal-safe.
 [[nodiscard]] const CallMonitor* runOfThread() noexcept;
 
+/// The calling thread works for a run of another thread, which has made it known; nullptr: for none any more.
+void setRunOfThread(const CallMonitor* run) noexcept;
+
 /// The most recent runs, newest first, then nullptr: also ended ones, whose modules may have left threads. Async-signal-safe.
 [[nodiscard]] std::array<const CallMonitor*, 16> recentRuns() noexcept;
 

@@ -3,6 +3,8 @@
 #include <csignal>
 #include <system_error>
 
+#include "base/platform/recent_runs.h"
+
 namespace trundle {
 
 namespace {
@@ -53,13 +55,19 @@ void WorkTeam::runAll(unsigned workers, Function function, void* work) {
     const unsigned others = std::min(workers, size()) - 1;
     m_function = function;
     m_work = work;
+    m_run = runOfThread();
     m_busy.store(others, std::memory_order_relaxed);
     for (unsigned i = 0; i < others; ++i) {
         Post& post = *m_posts[i];
         post.round.fetch_add(1);
-        if (post.sleeps.load()) wakeWaiting(post.round);
+        if (post.sleeps.exchange(false)) wakeWaiting(post.round);
     }
     function(work, 0);
+    for (unsigned i = 0; i < others; ++i) {
+        if (!m_posts[i]->take(m_posts[i]->round.load(std::memory_order_relaxed))) continue;
+        function(work, i + 1);
+        m_busy.fetch_sub(1, std::memory_order_relaxed);
+    }
     for (int polls = 0; m_busy.load(std::memory_order_acquire) > 0; ++polls) {
         if (polls < kPollsOfCaller) relaxProcessor();
         else std::this_thread::yield();
@@ -67,8 +75,9 @@ void WorkTeam::runAll(unsigned workers, Function function, void* work) {
 }
 
 void WorkTeam::serve(Post& post, unsigned worker) {
-    for (std::uint32_t last = 0;; ++last) {
-        for (int polls = 0; post.round.load() == last; ++polls) {
+    for (std::uint32_t last = 0;;) {
+        std::uint32_t round;
+        for (int polls = 0; (round = post.round.load()) == last; ++polls) {
             if (polls < kPolls) {
                 relaxProcessor();
                 continue;
@@ -77,8 +86,12 @@ void WorkTeam::serve(Post& post, unsigned worker) {
             waitWhile(post.round, last, -1);
             post.sleeps.store(false);
         }
+        last = round;
+        if (!post.take(round)) continue;
         if (m_ended) return;
+        setRunOfThread(m_run);
         m_function(m_work, worker);
+        setRunOfThread(nullptr);
         m_busy.fetch_sub(1, std::memory_order_release);
     }
 }

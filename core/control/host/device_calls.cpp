@@ -32,7 +32,7 @@ void write(WireWriter& out, const Vec3& v) { write(out, v.data(), 3); }
 std::string DeviceCalls::answer(WireReader& in) {
     const auto call = static_cast<Call>(in.number<std::uint32_t>());
     if (call == Call::Print) return print(in), std::string();
-    if (call <= Call::AddAxialInertia) return m_mount ? find(call, in) : refused("it is found in setup alone");
+    if (call <= Call::AddRotor) return m_mount ? find(call, in) : refused("it is found in setup alone");
     if (call < Call::Print) return m_services ? read(call, in) : refused("the world is read in act and sense alone");
     if (m_services) drive(call, in);
     return {};
@@ -78,12 +78,16 @@ std::string DeviceCalls::find(Call call, WireReader& in) {
         const char* text = m.peerText(m.context, device.c_str(), field.c_str());
         return text ? accepted().bytes(text).take() : refused("there is no " + device + "." + field);
     }
-    default: {
-        const auto joint = in.number<std::uint32_t>();
-        const bool added = m.addAxialInertia(m.context, joint, in.number<double>()) == 0;
-        return added ? accepted().take() : refused("the joint takes no inertia");
+    default: return addInertia(call, in);
     }
-    }
+}
+
+std::string DeviceCalls::addInertia(Call call, WireReader& in) {
+    const auto joint = in.number<std::uint32_t>();
+    const auto inertia = in.number<double>();
+    const bool added = call == Call::AddRotor ? m_mount->addRotor(m_mount->context, joint, inertia, in.number<double>()) == 0
+                                              : m_mount->addAxialInertia(m_mount->context, joint, inertia) == 0;
+    return added ? accepted().take() : refused("the joint takes no inertia");
 }
 
 std::string DeviceCalls::addFrame(WireReader& in) {

@@ -34,6 +34,7 @@ private:
         PeerNumber,
         PeerText,
         AddAxialInertia,
+        AddRotor,
         JointState,
         JointAnchor,
         JointWrench,
@@ -59,6 +60,7 @@ private:
 
     [[nodiscard]] std::string find(Call call, WireReader& in);
     [[nodiscard]] std::string found(Find find, WireReader& in) const;
+    [[nodiscard]] std::string addInertia(Call call, WireReader& in);
     [[nodiscard]] std::string addFrame(WireReader& in);
     [[nodiscard]] std::string addPeer(WireReader& in);
     [[nodiscard]] std::string read(Call call, WireReader& in) const;

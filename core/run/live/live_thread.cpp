@@ -251,7 +251,7 @@ std::shared_ptr<const LiveSnapshot> LiveThread::look(bool stands, bool contacts)
     shot->block = std::move(block);
     shot->tick = world.ticks();
     shot->time = world.time();
-    shot->quickTicks = world.quickTicks();
+    shot->quickTicks = world.solves().quickTicks;
     shot->engine = world.experiment().settings.engine;
     shot->threads = threadsFor(world.experiment());
     shot->realTimeFactor = m_meter.realTimeFactor(LiveClock::now(), shot->time);

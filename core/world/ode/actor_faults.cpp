@@ -146,6 +146,7 @@ void ActorFaults::releaseLinks(std::uint32_t index) {
         joint.rate = joint.lastRate = 0;
         for (const dJointID id : {joint.id, joint.drive, joint.spring, joint.friction, joint.stop, joint.damper, joint.losses})
             if (id) dJointDisable(id);
+        for (const auto& rotor : joint.rotors) dJointDisable(rotor->row);
     }
 }
 

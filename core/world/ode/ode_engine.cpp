@@ -38,6 +38,12 @@ Status OdeEngine::addAxialInertia(JointHandle id, double inertia) {
     return trundle::addAxialInertia(joint, m_objects.bodies[joint.child], inertia);
 }
 
+/// The world does not turn against a rotor.
+Status OdeEngine::addRotor(JointHandle id, double inertia, double ratio) {
+    if (m_objects.joints[id.index].parent == kNone) return addAxialInertia(id, ratio * ratio * inertia);
+    return m_rotors.add(id.index, inertia, ratio);
+}
+
 Status OdeEngine::measureWrench(JointHandle joint) {
     m_wrenches.add(joint.index);
     return {};
@@ -69,6 +75,7 @@ std::optional<EngineFault> OdeEngine::step(double h) {
         }
         m_search.findForStep(m_contacts.all);
         m_rows.update(h, m_contacts.all, m_objects.geoms, m_settings.errorReduction);
+        m_rotors.update(h);
         m_wrenches.prepare();
         m_couplings.update(h, m_contacts.all, m_settings.errorReduction);
         m_dynamics.step(h);

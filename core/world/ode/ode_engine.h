@@ -14,6 +14,7 @@
 #include "world/ode/collision/contacts_by_geom.h"
 #include "world/ode/collision/ode_rays.h"
 #include "world/ode/joints/joint_wrenches.h"
+#include "world/ode/joints/rotor_row.h"
 #include "world/ode/motion/ode_sweep.h"
 #include "world/ode/ode_dynamics.h"
 #include "world/ode/ode_links.h"
@@ -34,6 +35,7 @@ public:
     void setSurface(std::size_t surface, const SurfaceSpec& values) override;
     void moveActor(ActorHandle actor, const Pose& motion) override { m_writes.addMotion(actor.index, motion); }
     [[nodiscard]] Status addAxialInertia(JointHandle joint, double inertia) override;
+    [[nodiscard]] Status addRotor(JointHandle joint, double inertia, double ratio) override;
     [[nodiscard]] Status measureWrench(JointHandle joint) override;
     void findContacts() override;
     [[nodiscard]] std::optional<EngineFault> step(double h) override;
@@ -44,6 +46,9 @@ public:
     [[nodiscard]] EngineContact contact(std::size_t index) const override;
     [[nodiscard]] std::span<const std::uint32_t> contactsOf(GeomHandle geom) const override;
     [[nodiscard]] const RayTargets& rays() const override { return m_rays; }
+    [[nodiscard]] WorkTeam* threads(bool write) override {
+        return write ? nullptr : m_world.team();
+    } // writes are kept in one list
     [[nodiscard]] EngineSolves solves() const override;
     [[nodiscard]] EngineSweeps sweeps() const override { return {m_sweep.count(), m_sweep.passages()}; }
     [[nodiscard]] ActorFaultReport faults() const override { return {m_faults.ended(), m_faults.closed()}; }
@@ -57,6 +62,7 @@ private:
     OdeObjects m_objects;
     TickContacts m_contacts;
     JointRows m_rows{m_objects.bodies, m_objects.joints};
+    RotorRows m_rotors{m_objects.bodies, m_objects.joints};
     CouplingRows m_couplings{m_objects, m_rows.inertias()};
     ActorBuilder m_builder{m_settings, m_world, m_objects, m_rows, m_couplings};
     OdeLinks m_links{m_world, m_objects, m_builder};

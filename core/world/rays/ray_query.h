@@ -2,7 +2,6 @@
 // What is asked of the rays of an engine, and where the results go. World frame, m, rad.
 
 #include <cstdint>
-#include <optional>
 #include <span>
 
 #include <trundle/geometry.h>
@@ -39,18 +38,6 @@ struct RayHits {
     double* distances = nullptr; ///< the range where nothing is hit
     std::uint32_t* geoms = nullptr;
     double* normals = nullptr; ///< three numbers each, against the ray; zeros where nothing is hit
-};
-
-/// What rays can hit, with the poses after the last step; for one thread at a time. Geoms of the actor `without` (an index, kNoGeom for none) are ignored.
-class RayTargets {
-public:
-    virtual ~RayTargets() = default;
-    /// Nothing for what is no ray.
-    [[nodiscard]] virtual std::optional<SingleHit> ray(const SingleRay& ray, std::uint32_t without) const = 0;
-    virtual void castFan(const RayFan& fan, std::uint32_t without, const RayHits& hits) const = 0;
-    virtual void castRays(std::span<const SingleRay> rays, std::uint32_t without, const RayHits& hits) const = 0;
-    /// How often poses were taken over for casts: once in a tick with casts.
-    [[nodiscard]] virtual std::uint64_t updates() const = 0;
 };
 
 } // namespace trundle

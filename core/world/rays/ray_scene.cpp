@@ -63,7 +63,7 @@ LocalBeams RayScene::local(const RayGeom& geom, const Vec3& origin, const Vec3& 
     return beams;
 }
 
-void RayScene::castRay(const SingleRay& ray, std::uint32_t without, const RayHits& hits) {
+void RayScene::castRay(const SingleRay& ray, std::uint32_t without, const RayHits& hits) const {
     const double one[1 + kBeamPadding] = {1}, none[1 + kBeamPadding] = {};
     double distance[1 + kBeamPadding], nearest[1 + kBeamPadding], part[1 + kBeamPadding] = {};
     std::fill(std::begin(distance), std::end(distance), ray.range);

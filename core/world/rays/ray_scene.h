@@ -2,7 +2,7 @@
 // The geoms of a world as rays see them, and the casts.
 //
 // Needs: geoms by their numbers in the engine, with their poses; update() after they moved.
-// Assumes: one cast at a time, unit directions, orthonormal axes.
+// Assumes: unit directions, orthonormal axes, no update during casts, of which there may be several at the same time.
 // Method: candidates from a grid of bounding balls, then closed forms for all beams of a fan together (ray_kernel.h). Of equally near
 //   geoms the one with the lower number is hit, so that the result depends on nothing but the geoms: not on the grid, the order of the
 //   candidates or the processor.
@@ -12,7 +12,6 @@
 #include <memory>
 #include <vector>
 
-#include "world/rays/beam_table.h"
 #include "world/rays/centre_grid.h"
 #include "world/rays/height_blocks.h"
 #include "world/rays/ray_kernel.h"
@@ -45,8 +44,8 @@ public:
     /// After geoms were added or moved, before the next cast.
     void update();
 
-    void castFan(const RayFan& fan, std::uint32_t without, const RayHits& hits);
-    void castRay(const SingleRay& ray, std::uint32_t without, const RayHits& hits);
+    void castFan(const RayFan& fan, std::uint32_t without, const RayHits& hits) const;
+    void castRay(const SingleRay& ray, std::uint32_t without, const RayHits& hits) const;
 
 private:
     struct FanCast; ///< ray_scene_fan.cpp
@@ -64,11 +63,8 @@ private:
     std::vector<RayGeom> m_geoms;
     std::size_t m_filed = 0; ///< geoms that are in the lists
     std::vector<std::uint32_t> m_planes, m_meshes, m_movingSmall;
-    std::vector<GeomBall> m_balls, m_large;    ///< of m_movingSmall; that are tested by every cast
-    std::vector<const GeomBall*> m_candidates; ///< of a fan
+    std::vector<GeomBall> m_balls, m_large; ///< of m_movingSmall; that are tested by every cast
     CentreGrid m_still, m_moving;
-    BeamTables m_tables;
-    std::vector<double> m_distances, m_nearest, m_parts; ///< of the beams of a cast, layer by layer; m_nearest: geoms
 };
 
 } // namespace trundle

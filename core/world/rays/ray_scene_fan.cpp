@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "world/rays/beam_table.h"
 #include "world/rays/fan_view.h"
 #include "world/rays/mesh_roots.h"
 #include "world/rays/ray_scene.h"
@@ -13,10 +14,23 @@ namespace {
 
 const RayRoots kNoRoots; // for what has no parts
 
+/// Working memory of the casts of one thread, which keeps its size from one to the next.
+struct FanMemory {
+    BeamTables tables;
+    std::vector<const GeomBall*> candidates;
+    std::vector<double> distances, nearest, parts; ///< of the beams of a cast, layer by layer; nearest: geoms
+};
+
+FanMemory& memoryOfThread() {
+    static thread_local FanMemory memory;
+    return memory;
+}
+
 } // namespace
 
 struct RayScene::FanCast {
-    RayScene& scene;
+    const RayScene& scene;
+    FanMemory& memory;
     FanView view;
     std::uint32_t without;
 
@@ -44,9 +58,9 @@ struct RayScene::FanCast {
         const std::size_t at = layer * t.stride();
         return {t.cosines.data(),
                 t.sines.data(),
-                &scene.m_distances[at],
-                &scene.m_nearest[at],
-                &scene.m_parts[at],
+                &memory.distances[at],
+                &memory.nearest[at],
+                &memory.parts[at],
                 0,
                 static_cast<int>(t.count) - 1};
     }
@@ -95,39 +109,40 @@ struct RayScene::FanCast {
         const BeamTable& t = view.table();
         for (std::size_t layer = 0; layer < t.layers.size(); ++layer) {
             const std::size_t from = layer * t.stride(), at = layer * t.count;
-            std::copy_n(&scene.m_distances[from], t.count, hits.distances + at);
+            std::copy_n(&memory.distances[from], t.count, hits.distances + at);
             if (hits.geoms)
                 for (std::uint32_t k = 0; k < t.count; ++k)
-                    hits.geoms[at + k] = static_cast<std::uint32_t>(scene.m_nearest[from + k]);
+                    hits.geoms[at + k] = static_cast<std::uint32_t>(memory.nearest[from + k]);
             if (!hits.normals) continue;
             for (std::uint32_t k = 0; k < t.count; ++k)
-                scene.writeNormal(scene.m_nearest[from + k], scene.m_parts[from + k], view.fan().origin,
-                                  scene.m_distances[from + k] * (view.fan().axes * t.direction(layer, k)),
+                scene.writeNormal(memory.nearest[from + k], memory.parts[from + k], view.fan().origin,
+                                  memory.distances[from + k] * (view.fan().axes * t.direction(layer, k)),
                                   hits.normals + 3 * (at + k));
         }
     }
 };
 
-void RayScene::castFan(const RayFan& fan, std::uint32_t without, const RayHits& hits) {
-    const BeamTable& table = m_tables.of(fan);
+void RayScene::castFan(const RayFan& fan, std::uint32_t without, const RayHits& hits) const {
+    FanMemory& memory = memoryOfThread();
+    const BeamTable& table = memory.tables.of(fan);
     const std::size_t size = table.layers.size() * table.stride();
-    m_distances.assign(size, fan.range);
-    m_nearest.assign(size, double{kNoGeom});
-    m_parts.resize(size);
-    FanCast cast{*this, FanView(fan, table), without};
+    memory.distances.assign(size, fan.range);
+    memory.nearest.assign(size, double{kNoGeom});
+    memory.parts.resize(size);
+    FanCast cast{*this, memory, FanView(fan, table), without};
     for (const std::uint32_t plane : m_planes) cast.plane(plane);
     Vec3 lo, hi;
     cast.view.bounds(lo, hi);
-    m_candidates.resize(m_geoms.size() + 1);
+    memory.candidates.resize(m_geoms.size() + 1);
     std::size_t count = 0; // without branches: which balls are in range cannot be foreseen
     const auto take = [&](const GeomBall& ball) {
-        m_candidates[count] = &ball;
+        memory.candidates[count] = &ball;
         count += std::size_t{cast.view.reaches(ball)} * std::size_t{!cast.isOwn(ball.actor)};
     };
     m_still.near(lo.x(), hi.x(), lo.y(), hi.y(), take);
     m_moving.near(lo.x(), hi.x(), lo.y(), hi.y(), take);
     for (const GeomBall& large : m_large) take(large);
-    for (std::size_t i = 0; i < count; ++i) cast.ball(*m_candidates[i]);
+    for (std::size_t i = 0; i < count; ++i) cast.ball(*memory.candidates[i]);
     for (const std::uint32_t mesh : m_meshes) cast.mesh(mesh);
     cast.write(hits);
 }

@@ -6,13 +6,12 @@
 namespace trundle {
 
 const std::vector<EngineContact>& ContactList::all() const {
-    if (!m_ready) make();
+    m_making.ensure([this] { make(); });
     return m_all;
 }
 
 /// Unit by unit, with those among units first.
 void ContactList::make() const {
-    m_ready = true;
     m_all.clear();
     auto next = m_contacts.all().begin();
     for (std::uint32_t i = 0; i < m_objects.units.size(); ++i) {
@@ -67,7 +66,8 @@ void ContactList::addGround(std::uint32_t index) const {
 
 std::span<const std::uint32_t> ContactList::of(std::uint32_t geom) const {
     if (const std::uint32_t unit = m_objects.aloft[geom]; unit != kNoActor) return amongUnits(unit, geom);
-    if (!m_filed) file();
+    (void)all();
+    m_filing.ensure([this] { file(); });
     return {m_byGeom.data() + m_begin[geom], m_begin[geom + 1] - m_begin[geom]};
 }
 
@@ -79,21 +79,21 @@ EngineContact ContactList::at(std::uint32_t index) const {
 
 std::span<const std::uint32_t> ContactList::amongUnits(std::uint32_t unit, std::uint32_t geom) const {
     if (!m_contacts.touches(unit)) return {};
-    if (!m_linked) link();
-    m_found.clear();
-    if (m_heads[geom].round != m_round) return m_found;
+    m_linking.ensure([this] { link(); });
+    static thread_local std::vector<std::uint32_t> found;
+    found.clear();
+    if (m_heads[geom].round != m_round) return found;
     for (std::uint32_t k = m_heads[geom].contact; k != kNone;) {
         const UnitContact& c = m_contacts.all()[k];
         for (std::uint32_t i = 0; i < c.count; ++i)
-            if (carries(c.list[i])) m_found.push_back(kAmongUnits + k * kMostPoints + i);
+            if (carries(c.list[i])) found.push_back(kAmongUnits + k * kMostPoints + i);
         k = geom == c.geomA ? m_next[k].ofA : m_next[k].ofB;
     }
-    return m_found;
+    return found;
 }
 
 /// From the last contact to the first, so that those of a geom ascend.
 void ContactList::link() const {
-    m_linked = true;
     ++m_round;
     m_heads.resize(m_objects.geoms.size());
     m_next.resize(m_contacts.all().size());
@@ -110,9 +110,8 @@ void ContactList::link() const {
 }
 
 void ContactList::file() const {
-    m_filed = true;
     m_begin.assign(m_objects.geoms.size() + 2, 0);
-    for (const EngineContact& c : all())
+    for (const EngineContact& c : m_all)
         for (const std::uint32_t geom : {c.first, c.second}) ++m_begin[geom + 2];
     for (std::size_t i = 1; i < m_begin.size(); ++i) m_begin[i] += m_begin[i - 1];
     m_byGeom.resize(2 * m_all.size());

@@ -1,10 +1,11 @@
 #pragma once
 // The contacts of a tick as an engine reports them: those of units with each other and the scenery, and of all units with the ground.
-// Made on demand.
+// Made on demand, of one of several threads.
 
 #include <span>
 #include <vector>
 
+#include "base/on_demand.h"
 #include "world/wheeled/unit_contacts.h"
 
 namespace trundle {
@@ -15,13 +16,14 @@ public:
 
     /// After a tick of h seconds.
     void clear(double h) {
-        m_ready = m_filed = m_linked = false;
+        for (OnDemand* each : {&m_making, &m_filing, &m_linking}) each->markDue();
         m_h = h;
     }
     [[nodiscard]] const std::vector<EngineContact>& all() const;
     /// By an index of of().
     [[nodiscard]] EngineContact at(std::uint32_t index) const;
-    /// Indices of the contacts of a geom, ascending. Those of a geom that the ground does not touch are found without the list of all.
+    /// Indices of the contacts of a geom, ascending. Those of a geom that the ground does not touch are found without the list of all. Valid until
+    /// the thread asks again, and until the next tick.
     [[nodiscard]] std::span<const std::uint32_t> of(std::uint32_t geom) const;
 
 private:
@@ -50,12 +52,11 @@ private:
     const WheeledObjects& m_objects;
     const UnitContacts& m_contacts;
     double m_h = 1;
-    mutable bool m_ready = true, m_filed = false, m_linked = false; ///< nothing touches before the first tick
+    mutable OnDemand m_making{false}, m_filing, m_linking; ///< nothing touches before the first tick
     mutable std::vector<EngineContact> m_all;
     mutable std::vector<Head> m_heads; ///< by geom
     mutable std::vector<Next> m_next;  ///< by contact of m_contacts
     mutable std::uint64_t m_round = 0;
-    mutable std::vector<std::uint32_t> m_found;
     mutable std::vector<std::uint32_t> m_begin, m_byGeom; ///< m_begin: by geom
 };
 

@@ -28,6 +28,10 @@ public:
     void setSurface(std::size_t surface, const SurfaceSpec& values) override;
     void moveActor(ActorHandle actor, const Pose& motion) override { m_motions.push_back({actor.index, motion}); }
     [[nodiscard]] Status addAxialInertia(JointHandle joint, double inertia) override;
+    /// Of the wheel alone, about its axle.
+    [[nodiscard]] Status addRotor(JointHandle joint, double inertia, double ratio) override {
+        return addAxialInertia(joint, ratio * ratio * inertia);
+    }
     [[nodiscard]] Status measureWrench(JointHandle joint) override;
     void findContacts() override;
     [[nodiscard]] std::optional<EngineFault> step(double h) override;
@@ -38,6 +42,7 @@ public:
     [[nodiscard]] EngineContact contact(std::size_t index) const override { return m_list.at(static_cast<std::uint32_t>(index)); }
     [[nodiscard]] std::span<const std::uint32_t> contactsOf(GeomHandle geom) const override { return m_list.of(geom.index); }
     [[nodiscard]] const RayTargets& rays() const override { return m_rays; }
+    [[nodiscard]] WorkTeam* threads(bool) override { return &m_team; }
     [[nodiscard]] EngineSolves solves() const override { return {}; }
     [[nodiscard]] EngineSweeps sweeps() const override { return {}; }
     [[nodiscard]] ActorFaultReport faults() const override { return {m_ended, {}}; }

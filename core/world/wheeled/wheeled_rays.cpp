@@ -65,45 +65,16 @@ RayGeom rayGeomOf(const GeomSpec& spec, const Pose& pose, std::uint32_t actor) {
     return out;
 }
 
-void WheeledRays::update() const {
-    if (!m_moved) return;
-    m_moved = false;
-    ++m_updates;
-    while (m_scene.size() < m_objects.geoms.size()) m_scene.add(m_objects.geoms[m_scene.size()].ray);
+void WheeledRays::place(RayScene& scene) const {
+    while (scene.size() < m_objects.geoms.size()) scene.add(m_objects.geoms[scene.size()].ray);
     for (std::uint32_t i = 0; i < m_objects.geoms.size(); ++i) {
         const WheeledGeom& g = m_objects.geoms[i];
         if (g.body == kNoGeom) continue;
         const BodyState& state = m_objects.states[g.body];
-        RayGeom& geom = m_scene.geom(i);
+        RayGeom& geom = scene.geom(i);
         geom.centre = state.position + state.rotation * g.ray.centre;
         geom.axes = state.rotation.toRotationMatrix() * g.ray.axes;
     }
-    m_scene.update();
-}
-
-std::optional<SingleHit> WheeledRays::ray(const SingleRay& ray, std::uint32_t without) const {
-    const double length = ray.direction.norm();
-    if (!ray.origin.allFinite() || !std::isfinite(length) || !(length > 1e-12) || !(ray.range > 0) || !std::isfinite(ray.range))
-        return {};
-    SingleHit hit;
-    double normal[3];
-    update();
-    m_scene.castRay({ray.origin, ray.direction / length, ray.range}, without, {&hit.distance, &hit.geom, normal});
-    hit.normal = Vec3(normal);
-    return hit.geom == kNoGeom ? std::nullopt : std::optional(hit);
-}
-
-void WheeledRays::castFan(const RayFan& fan, std::uint32_t without, const RayHits& hits) const {
-    update();
-    m_scene.castFan(fan, without, hits);
-}
-
-void WheeledRays::castRays(std::span<const SingleRay> rays, std::uint32_t without, const RayHits& hits) const {
-    update();
-    for (std::size_t i = 0; i < rays.size(); ++i)
-        m_scene.castRay(
-            rays[i], without,
-            {hits.distances + i, hits.geoms ? hits.geoms + i : nullptr, hits.normals ? hits.normals + 3 * i : nullptr});
 }
 
 } // namespace trundle

@@ -13,7 +13,7 @@ struct ArcMotion : trundle::Controller {
     std::string driveName = "base";
 
     static void describe(trundle::Describe<ArcMotion>& d) {
-        d.help("Drives along a circle of radius Speed / TurnRate until it has turned by Angle, then stops.");
+        d.help("Drives along a circle of radius Speed / TurnRate until it has turned by Angle, then stops.").independent();
         d.field("Speed", &ArcMotion::speed, trundle::metresPerSecond().within(-10, 10), "Along the circle; 0 turns on the spot.");
         d.field("TurnRate", &ArcMotion::turnRate, trundle::radiansPerSecond().above(0).atMost(100), "How fast it turns.");
         d.field("Angle", &ArcMotion::angle, trundle::degrees().within(-36000, 36000), "Positive turns left.");

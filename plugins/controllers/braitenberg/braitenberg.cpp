@@ -15,7 +15,8 @@ struct Braitenberg : trundle::Controller {
     std::string left = "leftLight", right = "rightLight", driveName = "base";
 
     static void describe(trundle::Describe<Braitenberg>& d) {
-        d.help("Two light sensors drive two wheels: it flees from light, attacks it, comes to rest before it or explores.");
+        d.help("Two light sensors drive two wheels: it flees from light, attacks it, comes to rest before it or explores.")
+            .independent();
         d.field("Vehicle", &Braitenberg::vehicle, trundle::oneOf("fear|aggression|love|explorer"),
                 "2a: each sensor drives the wheel on its side; 2b: the other one; 3a, 3b: they slow them down instead.");
         d.field("Speed", &Braitenberg::speed, trundle::metresPerSecond().above(0).atMost(10).live(), "Of a wheel, at most.");

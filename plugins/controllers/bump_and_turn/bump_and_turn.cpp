@@ -13,7 +13,8 @@ struct BumpAndTurn : trundle::Controller {
     std::string touchName = "frontTouch", driveName = "base";
 
     static void describe(trundle::Describe<BumpAndTurn>& d) {
-        d.help("Drives straight on; where it is touched it backs off and turns by a random angle to a random side.");
+        d.help("Drives straight on; where it is touched it backs off and turns by a random angle to a random side.")
+            .independent();
         d.field("Speed", &BumpAndTurn::speed, trundle::metresPerSecond().above(0).atMost(10).live(), "Forwards and backing off.");
         d.field("BackOff", &BumpAndTurn::backOff, trundle::metres().above(0).atMost(100).live(), "How far it backs off.");
         d.field("TurnRate", &BumpAndTurn::turnRate, trundle::radiansPerSecond().above(0).atMost(100).live(),

@@ -44,7 +44,8 @@ struct Collect : trundle::Controller {
     static void describe(trundle::Describe<Collect>& d) {
         using C = Collect;
         d.help(
-            "Finds cylinders with its lidar, grips them, puts them down in a row at home, and ends the run when all are there.");
+             "Finds cylinders with its lidar, grips them, puts them down in a row at home, and ends the run when all are there.")
+            .independent();
         d.field("Count", &C::count, trundle::number().within(1, 100), "Cylinders to bring.");
         d.field("Radius", &C::radius, trundle::metres().within(0.01, 0.5), "Of a cylinder.");
         d.field("Home", &C::home, trundle::metres(), "Middle of the row that it makes at home, seen from its start, x ahead.");

@@ -31,7 +31,8 @@ struct Docking : trundle::Controller {
 
     static void describe(trundle::Describe<Docking>& d) {
         using D = Docking;
-        d.help("Works until its battery is low, finds its charger by the light on it, charges by touch, and works on.");
+        d.help("Works until its battery is low, finds its charger by the light on it, charges by touch, and works on.")
+            .independent();
         d.field("Low", &D::low, trundle::number().within(0.01, 0.99).live(),
                 "Share of the charge at which it looks for its charger.");
         d.field("Full", &D::full, trundle::number().within(0.02, 1).live(), "Share of the charge with which it leaves it.");

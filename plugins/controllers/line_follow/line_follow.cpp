@@ -21,7 +21,8 @@ struct LineFollow : trundle::Controller {
     trundle::OutputSlot<int> lap;
 
     static void describe(trundle::Describe<LineFollow>& d) {
-        d.help("Drives ahead until it sees a dark line, follows it, and ends the run when it is back at its beginning.");
+        d.help("Drives ahead until it sees a dark line, follows it, and ends the run when it is back at its beginning.")
+            .independent();
         d.field("Speed", &LineFollow::speed, trundle::metresPerSecond().above(0).atMost(10).live(), "Where the line is straight.");
         d.field("TurnRate", &LineFollow::turnRate, trundle::radiansPerSecond().above(0).atMost(100).live(), "At most.");
         d.field("Threshold", &LineFollow::threshold, trundle::number().within(0.01, 1).live(),

@@ -11,7 +11,7 @@ struct LinearMotion : trundle::Controller {
     std::string driveName = "base";
 
     static void describe(trundle::Describe<LinearMotion>& d) {
-        d.help("Drives straight for a distance, then stops and says how far that was by odometry.");
+        d.help("Drives straight for a distance, then stops and says how far that was by odometry.").independent();
         d.field("Distance", &LinearMotion::distance, trundle::metres().within(-1e4, 1e4), "Negative drives backwards.");
         d.field("Speed", &LinearMotion::speed, trundle::metresPerSecond().above(0).atMost(10), "Cruising speed.");
         d.field("Drive", &LinearMotion::driveName, trundle::needs("DifferentialDrive"), "The robot's DifferentialDrive.");

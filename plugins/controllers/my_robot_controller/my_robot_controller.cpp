@@ -7,7 +7,8 @@ struct MyRobotController : trundle::Controller {
     double seconds = 5;
 
     static void describe(trundle::Describe<MyRobotController>& d) {
-        d.help("Drives forwards for RobotControllerVar seconds where the robot has a drive named base, then stops.");
+        d.help("Drives forwards for RobotControllerVar seconds where the robot has a drive named base, then stops.")
+            .independent();
         d.field("RobotControllerVar", &MyRobotController::seconds, trundle::seconds().within(0, 1e6), "How long it drives.");
     }
 

@@ -27,8 +27,9 @@ struct PickAndPlace : trundle::Controller {
     static void describe(trundle::Describe<PickAndPlace>& d) {
         using C = PickAndPlace;
         d.help(
-            "Takes crates from one pile to another with an arm of four servos, yaw, shoulder, elbow and wrist, and a latch, and "
-            "ends the run when all are there.");
+             "Takes crates from one pile to another with an arm of four servos, yaw, shoulder, elbow and wrist, and a latch, and "
+             "ends the run when all are there.")
+            .independent();
         d.field("Count", &C::count, trundle::number().within(1, 20), "Crates of the pile.");
         d.field("From", &C::from, trundle::metres().within(-10, 10), "x, y of the pile, from the yaw axis.");
         d.field("To", &C::to, trundle::metres().within(-10, 10), "x, y of the new pile.");

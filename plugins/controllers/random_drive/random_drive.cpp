@@ -10,7 +10,7 @@ struct RandomDrive : trundle::Controller {
     std::string driveName = "base";
 
     static void describe(trundle::Describe<RandomDrive>& d) {
-        d.help("Drives with a new random speed and turn rate every Period.");
+        d.help("Drives with a new random speed and turn rate every Period.").independent();
         d.field("Speed", &RandomDrive::speed, trundle::metresPerSecond().within(0, 10).live(),
                 "Largest speed; a quarter of it backwards.");
         d.field("TurnRate", &RandomDrive::turnRate, trundle::radiansPerSecond().within(0, 100).live(),

@@ -24,8 +24,8 @@ struct WallFollow : trundle::Controller {
     trundle::OutputSlot<int> lap;
 
     static void describe(trundle::Describe<WallFollow>& d) {
-        d.help(
-            "Drives ahead until there is a wall, follows it at a distance, and ends the run when it is back at its beginning.");
+        d.help("Drives ahead until there is a wall, follows it at a distance, and ends the run when it is back at its beginning.")
+            .independent();
         d.field("Speed", &WallFollow::speed, trundle::metresPerSecond().above(0).atMost(10).live(), "Along the wall.");
         d.field("Distance", &WallFollow::distance, trundle::metres().above(0).atMost(100).live(), "From the lidar to the wall.");
         d.field("TurnRate", &WallFollow::turnRate, trundle::radiansPerSecond().above(0).atMost(100).live(), "At most.");

@@ -21,6 +21,7 @@
 #include "bench/rays/ode_loop.h"
 #include "world/engine.h"
 #include "world/rays/ray_kernel.h"
+#include "world/rays/ray_targets.h"
 
 using namespace raybench;
 

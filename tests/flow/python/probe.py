@@ -36,6 +36,7 @@ class Probe(trundle.Device):
         self.volts = mount.peer("RotaryMotor", "motor", "voltage")
         assert mount.peer_number("turns", "CountsPerRevolution") == 1000 and mount.peer_text("turns", "Joint") == "pivot"
         mount.add_axial_inertia(self.pivot, 0.001)
+        mount.add_rotor(self.pivot, 0, 20)
         self.seen[2] = -1
 
     def act(self, world):

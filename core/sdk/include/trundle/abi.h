@@ -14,8 +14,8 @@
 
 #define TRUNDLE_MAGIC 0x444e5254u /* "TRND" */
 #define TRUNDLE_ABI_MAJOR 1u
-#define TRUNDLE_ABI_MINOR 9u
-#define TRUNDLE_SDK_VERSION "1.12.0"
+#define TRUNDLE_ABI_MINOR 10u
+#define TRUNDLE_SDK_VERSION "1.13.0"
 
 #ifdef __cplusplus
 extern "C" {
@@ -118,6 +118,8 @@ typedef struct TrundleMount {
     /* Since 1.7. The device becomes the supply of its robot and senses after all others of it. -1: there is another one. */
     int32_t (*provideSupply)(void* context, double nominal, double voltage);
     int32_t (*measureJoint)(void* context, const char* name, uint32_t* joint); /* since 1.8; a joint of any kind. 0: its wrench is measured */
+    /* Since 1.10. A rotor (kg m^2) on the joint's parent that turns `ratio` times as far against it as the joint's child. 0: success. */
+    int32_t (*addRotor)(void* context, uint32_t joint, double inertia, double ratio);
 } TrundleMount;
 /* Access of a device to the world in act and sense. Actuation is ignored outside act. */
 typedef struct TrundleServices {
@@ -146,22 +148,21 @@ typedef struct TrundleServices {
     void (*servoRow)(void* context, uint32_t joint, double rate, double limit, double damping);
     const TrundleServicesRays* rays; /* since 1.5 */
     const struct TrundleServicesLight* light; /* since 1.6; in abi_light.h */
-    const TrundleServicesSupply* supply; /* since 1.7 */
+    const TrundleServicesSupply* supply;      /* since 1.7 */
     const struct TrundleServicesJoints* joints; /* since 1.8; in abi_joint.h */
     const struct TrundleServicesLatch* latch; /* since 1.9; in abi_latch.h */
 } TrundleServices;
 
 /* ---- kinds and the module ---- */
 enum { TRUNDLE_CONTROLLER = 1, TRUNDLE_DEVICE = 2 };
-
+enum { TRUNDLE_INDEPENDENT = 1 }; /* since 1.10: uses nothing that robots share, so that it may be called beside those of other robots */
 /* Fields of which exactly one must be given; each is TRUNDLE_OPTIONAL. */
 typedef struct TrundleAlternatives {
     const char* names;  /* "SpeedConstant|BackEmfConstant" */
     const char* likely; /* if all are missing, the value of this field is suggested for the last one; "": none */
 } TrundleAlternatives;
 
-/* Every function returns 0 on success; after any other value lastError gives the reason. */
-typedef struct TrundleKind {
+typedef struct TrundleKind { /* every function returns 0 on success; after any other value lastError gives the reason */
     uint32_t size, role;
     const char *name, *help;
     const TrundleField* fields;
@@ -179,9 +180,8 @@ typedef struct TrundleKind {
     int32_t (*act)(void* instance, const TrundleServices* services);
     int32_t (*sense)(void* instance, const TrundleServices* services);
     const TrundleAlternatives* alternatives; /* since 1.1 */
-    uint32_t alternativesCount, reserved;
-    /* Controllers, since 1.9; NULL: it has no state. saveState calls `write` with what a new version of it continues from, or not at all;
-     * loadState follows setupController. */
+    uint32_t alternativesCount, traits; /* traits: bits, since 1.10 */
+    /* Controllers, since 1.9; NULL: no state. saveState calls `write` with it or not at all; loadState follows setupController. */
     int32_t (*saveState)(void* instance, void (*write)(void* to, const char* bytes, uint64_t count), void* to);
     int32_t (*loadState)(void* instance, const char* bytes, uint64_t count);
 } TrundleKind;

@@ -32,7 +32,7 @@ private:
 };
 
 /// Controls one robot. Created before the run, then its fields are set, setup is called once and update periodically, all on one
-/// thread. An exception thrown by setup or update ends the run with its message.
+/// thread unless its kind is independent(). An exception thrown by setup or update ends the run with its message.
 class Controller {
 public:
     virtual ~Controller() = default;

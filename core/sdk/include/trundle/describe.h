@@ -51,6 +51,13 @@ public:
         return *this;
     }
 
+    /// Since 1.13. Its calls use nothing that robots share but what they may read: no radio, lamps, latches, chargers, moving surfaces, no
+    /// global variables of the module. They may then come at the same time as those of other robots.
+    Describe& independent() {
+        m_traits |= TRUNDLE_INDEPENDENT;
+        return *this;
+    }
+
     /// A signal published by the device or controller: 0 until it is set.
     Describe& output(std::string name, std::string unit, std::string help, std::uint32_t count = 1,
                      std::uint32_t type = TRUNDLE_REAL_SIGNAL) {
@@ -118,6 +125,7 @@ public:
     }
 
     [[nodiscard]] const std::string& helpText() const { return m_help; }
+    [[nodiscard]] std::uint32_t traits() const { return m_traits; }
     [[nodiscard]] const std::vector<FieldInfo>& fields() const { return m_fields; }
     [[nodiscard]] const std::vector<SignalInfo>& signals() const { return m_signals; }
     [[nodiscard]] const std::vector<AlternativesInfo>& alternatives() const { return m_alternatives; }
@@ -139,6 +147,7 @@ private:
 
     T m_default{};
     std::string m_help;
+    std::uint32_t m_traits = 0;
     std::vector<FieldInfo> m_fields;
     std::vector<SignalInfo> m_signals;
     std::vector<AlternativesInfo> m_alternatives;

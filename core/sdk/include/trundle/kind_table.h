@@ -121,6 +121,7 @@ template <class T> std::unique_ptr<KindTable> commonTable(const char* name, std:
     k.signalCount = static_cast<std::uint32_t>(table->signals.size());
     k.alternatives = table->alternatives.data();
     k.alternativesCount = static_cast<std::uint32_t>(table->alternatives.size());
+    k.traits = d.traits();
     k.create = &create<T>;
     k.destroy = &destroy<T>;
     k.set = &set<T>;

@@ -92,6 +92,15 @@ public:
         const bool done = m_mount.addAxialInertia && m_mount.addAxialInertia(m_mount.context, joint.index, inertia) == 0;
         if (!done) fail("this joint can take no additional inertia");
     }
+    /// Adds a rotor with this inertia (kg m^2) on the joint's parent, which turns `ratio` times as far against it as the child does, about
+    /// the same axis. It adds ratio^2 inertias to what the joint moves, and gives the parent ratio inertias of reaction. Fails for a slider.
+    /// Since 1.13; in an older Trundle the child alone has its inertia.
+    void addRotor(JointId joint, double inertia, double ratio) {
+        if (m_mount.size < offsetof(TrundleMount, addRotor) + sizeof m_mount.addRotor)
+            return addAxialInertia(joint, ratio * ratio * inertia);
+        if (m_mount.addRotor(m_mount.context, joint.index, inertia, ratio) != 0)
+            fail("this joint can take no additional inertia");
+    }
     /// Opens the device's radio with the given antenna and limits.
     [[nodiscard]] RadioId radio(const TrundleRadioSettings& settings) {
         RadioId id;

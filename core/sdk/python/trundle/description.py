@@ -9,8 +9,8 @@ from .device import Device
 from .quantity import Quantity
 
 FORMAT = 1
-VERSION = "1.12.0"  # as in trundle/abi.h
-INTERFACE = (1, 9)
+VERSION = "1.13.0"  # as in trundle/abi.h
+INTERFACE = (1, 10)
 MOST_PUBLISHED = 1000
 MANY_ELEMENTS = 100000
 _SIGNAL_TYPES = {float: "real", int: "integer", bool: "boolean"}

@@ -126,6 +126,10 @@ class Mount:
         """Adds kg m^2 to the joint's child about the joint's axis, as of a rotor that turns with it."""
         self._calls.add_axial_inertia(joint, inertia)
 
+    def add_rotor(self, joint, inertia, ratio):
+        """Adds a rotor of so many kg m^2 on the joint's parent, which turns `ratio` times as far against it as the joint's child."""
+        self._calls.add_rotor(joint, inertia, ratio)
+
 
 class World:
     """What a device reaches in act and sense. `time`, s: of the last completed tick in act, of the tick just stepped in sense. Each method

@@ -3,8 +3,7 @@
 namespace trundle {
 
 std::span<const std::uint32_t> ContactsByGeom::of(std::uint32_t geom, std::size_t geoms, std::span<const OdeContact> contacts) {
-    if (!m_ready) sort(geoms, contacts);
-    m_ready = true;
+    m_sorting.ensure([&] { sort(geoms, contacts); });
     const std::uint32_t begin = m_begin[geom], end = m_begin[geom + 1];
     return {m_contacts.data() + begin, end - begin};
 }

@@ -1,7 +1,5 @@
 #include "world/ode/collision/ode_rays.h"
 
-#include <cmath>
-
 namespace trundle {
 
 namespace {
@@ -51,43 +49,14 @@ RayGeom OdeRays::geomOf(std::uint32_t index) const {
     return geom;
 }
 
-void OdeRays::update() const {
-    if (!m_moved) return;
-    m_moved = false;
-    ++m_updates;
-    while (m_scene.size() < m_objects.geoms.size()) m_scene.add(geomOf(static_cast<std::uint32_t>(m_scene.size())));
+void OdeRays::place(RayScene& scene) const {
+    while (scene.size() < m_objects.geoms.size()) scene.add(geomOf(static_cast<std::uint32_t>(scene.size())));
     for (const OdeBody& body : m_objects.bodies)
         for (std::uint32_t i = body.geoms.begin; i < body.geoms.end; ++i) {
-            RayGeom& geom = m_scene.geom(i);
+            RayGeom& geom = scene.geom(i);
             geom.centre = vec(body.p) + turn(body.r, m_objects.geoms[i].offset);
             geom.axes = m_objects.axesOf(m_objects.geoms[i]);
         }
-    m_scene.update();
-}
-
-std::optional<SingleHit> OdeRays::ray(const SingleRay& ray, std::uint32_t without) const {
-    const double length = ray.direction.norm();
-    if (!ray.origin.allFinite() || !std::isfinite(length) || !(length > 1e-12) || !(ray.range > 0) || !std::isfinite(ray.range))
-        return {};
-    SingleHit hit;
-    double normal[3];
-    update();
-    m_scene.castRay({ray.origin, ray.direction / length, ray.range}, without, {&hit.distance, &hit.geom, normal});
-    hit.normal = Vec3(normal);
-    return hit.geom == kNoGeom ? std::nullopt : std::optional(hit);
-}
-
-void OdeRays::castFan(const RayFan& fan, std::uint32_t without, const RayHits& hits) const {
-    update();
-    m_scene.castFan(fan, without, hits);
-}
-
-void OdeRays::castRays(std::span<const SingleRay> rays, std::uint32_t without, const RayHits& hits) const {
-    update();
-    for (std::size_t i = 0; i < rays.size(); ++i)
-        m_scene.castRay(
-            rays[i], without,
-            {hits.distances + i, hits.geoms ? hits.geoms + i : nullptr, hits.normals ? hits.normals + 3 * i : nullptr});
 }
 
 } // namespace trundle

@@ -169,7 +169,7 @@ void moveWorldJoint(OdeJoint& joint, const OdeBody& child, const Pose& motion) {
 }
 
 /// Adds J a a^T to the inertia tensor about the child's centre of mass, where a is the joint axis in the child's axes: about the
-/// axis the rotor contributes its whole inertia, across it none.
+/// axis it is the whole inertia, across it none.
 Status addAxialInertia(const OdeJoint& joint, const OdeBody& child, double inertia) {
     if (joint.type == JointType::Slider || !(inertia >= 0) || !std::isfinite(inertia))
         return Error{Code::BadJoint, "takes no axial inertia"};

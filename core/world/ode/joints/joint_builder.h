@@ -35,7 +35,7 @@ private:
 
 /// Moves a joint of a body and the world; the body is moved afterwards.
 void moveWorldJoint(OdeJoint& joint, const OdeBody& child, const Pose& motion);
-/// Adds the inertia (kg m^2) of a geared rotor about a joint's axis to its child.
+/// Adds an inertia (kg m^2) about a joint's axis to its child.
 [[nodiscard]] Status addAxialInertia(const OdeJoint& joint, const OdeBody& child, double inertia);
 
 } // namespace trundle

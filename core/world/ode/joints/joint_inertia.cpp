@@ -15,18 +15,8 @@ constexpr double kFixed = 1e6;         // inertia of the world, in those of the 
 
 constexpr double kGive = 1e-9; // of a row, as a share of its own mobility
 
-Mat3 crossing(const Vec3& v) {
-    Mat3 m;
-    m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-    return m;
-}
-
-/// What a joint with these free axes passes on of an inertia.
-template <class Mat6, class Axes> Mat6 throughJoint(const Mat6& inertia, const Axes& axes) {
-    if (axes.cols() == 0) return inertia;
-    const auto moved = (inertia * axes).eval();
-    return inertia - moved * (axes.transpose() * moved).inverse() * moved.transpose();
-}
+/// Of the axis about which it turns.
+Eigen::Index turningColumn(const OdeJoint& joint) { return joint.type == JointType::Suspension ? 1 : 0; }
 
 } // namespace
 
@@ -83,6 +73,34 @@ JointInertias::Mat6 JointInertias::inertiaOf(std::uint32_t index) const {
     return out;
 }
 
+/// The rate about the axis that a joint's rotors turn about.
+JointInertias::Vec6 JointInertias::turningOf(const OdeJoint& joint, const Axes& axes) {
+    return (Vec6() << axes.col(turningColumn(joint)).head<3>(), Vec3::Zero()).finished();
+}
+
+/// The rotors turn at s = w + g q: w of the other side, g the ratio seen from there.
+JointInertias::Side JointInertias::sideWithRotors(const OdeJoint& joint, bool isChild, const Mat6& inertia) const {
+    const Axes axes = axesOf(joint);
+    Side side{inertia, inertia * axes, {}};
+    side.own = axes.transpose() * side.mixed;
+    const Eigen::Index about = turningColumn(joint);
+    for (const auto& rotor : joint.rotors) {
+        const double ratio = isChild ? rotor->ratio : 1 - rotor->ratio;
+        const Vec6 turning = turningOf(joint, axes);
+        side.total += rotor->inertia * turning * turning.transpose();
+        side.mixed.col(about) += rotor->inertia * ratio * turning;
+        side.own(about, about) += rotor->inertia * ratio * ratio;
+    }
+    return side;
+}
+
+/// What a joint passes on of the inertia of its child's side or its parent's.
+JointInertias::Mat6 JointInertias::throughJoint(const OdeJoint& joint, bool isChild, const Mat6& inertia) const {
+    if (joint.type == JointType::Fixed) return inertia;
+    const Side side = sideWithRotors(joint, isChild, inertia);
+    return side.total - side.mixed * side.own.inverse() * side.mixed.transpose();
+}
+
 /// The inertia of a body and of all that it carries, except by one joint.
 JointInertias::Mat6 JointInertias::sideOf(std::uint32_t body, std::uint32_t without) {
     m_visited.push_back(body);
@@ -93,11 +111,11 @@ JointInertias::Mat6 JointInertias::sideOf(std::uint32_t body, std::uint32_t with
         const OdeJoint& joint = m_joints[index];
         const std::uint32_t other = joint.child == body ? joint.parent : joint.child;
         if (other == kNone) {
-            total += throughJoint(world, axesOf(joint));
+            total += throughJoint(joint, false, world);
             continue;
         }
         if (m_visited.size() >= kMaxBodies || std::find(m_visited.begin(), m_visited.end(), other) != m_visited.end()) continue;
-        total += throughJoint(sideOf(other, index), axesOf(joint));
+        total += throughJoint(joint, other == joint.child, sideOf(other, index));
     }
     return total;
 }
@@ -106,10 +124,11 @@ void JointInertias::update(OdeJoint& joint, std::uint32_t index) {
     m_origin = vec(m_bodies[joint.child].p);
     m_visited.clear();
     const Axes axes = axesOf(joint);
-    const auto along = [&](const Mat6& inertia, Vec3& out) {
-        const auto free = (axes.transpose() * inertia * axes).inverse().eval();
+    const auto write = [&](const auto& inertia, Vec3& out) {
+        const auto free = inertia.inverse().eval();
         for (int k = 0; k < axes.cols(); ++k) out[k] = 1 / free(k, k);
     };
+    const auto along = [&](const Mat6& inertia, Vec3& out) { write((axes.transpose() * inertia * axes).eval(), out); };
     const Mat6 child = sideOf(joint.child, index);
     joint.childSide = m_visited;
     if (joint.parent == kNone) {
@@ -119,8 +138,14 @@ void JointInertias::update(OdeJoint& joint, std::uint32_t index) {
     }
     const bool loop = std::find(m_visited.begin(), m_visited.end(), joint.parent) != m_visited.end();
     const Mat6 parent = loop ? inertiaOf(joint.parent) : sideOf(joint.parent, index);
-    along((child.inverse() + parent.inverse()).inverse(), joint.inertia);
-    along(parent, joint.heldInertia);
+    if (joint.rotors.empty()) {
+        along((child.inverse() + parent.inverse()).inverse(), joint.inertia);
+        along(parent, joint.heldInertia);
+        return;
+    }
+    const Side moved = sideWithRotors(joint, true, child);
+    write((moved.own - moved.mixed.transpose() * (moved.total + parent).inverse() * moved.mixed).eval(), joint.inertia);
+    write(sideWithRotors(joint, false, parent).own, joint.heldInertia);
 }
 
 std::vector<std::uint32_t> JointInertias::around(std::uint32_t first, std::uint32_t second) const {
@@ -137,40 +162,52 @@ std::vector<std::uint32_t> JointInertias::around(std::uint32_t first, std::uint3
     return found;
 }
 
+Eigen::Index JointInertias::columnOf(std::span<const std::uint32_t> bodies, std::uint32_t body) {
+    const auto found = std::ranges::lower_bound(bodies, body);
+    return found != bodies.end() && *found == body ? 6 * (found - bodies.begin()) : -1;
+}
+
+/// Those of the joints between these bodies; a rotor is one with the give of its inertia (rotor_row.h).
+std::vector<JointInertias::Row> JointInertias::rowsOf(std::span<const std::uint32_t> bodies) const {
+    std::vector<Row> rows;
+    for (const std::uint32_t body : bodies)
+        for (const std::uint32_t index : body < m_jointsOf.size() ? m_jointsOf[body] : std::vector<std::uint32_t>()) {
+            const OdeJoint& joint = m_joints[index];
+            if (body != joint.child && columnOf(bodies, joint.child) >= 0) continue; // once, at its child
+            const Eigen::Index child = columnOf(bodies, joint.child),
+                               parent = joint.parent == kNone ? -1 : columnOf(bodies, joint.parent);
+            if (child < 0 || (parent < 0 && joint.parent != kNone)) continue; // to a body that is left out
+            const Axes axes = axesOf(joint);
+            const Mat6 all = axes.cols() == 0 ? Mat6(Mat6::Identity()) : Mat6(axes.householderQr().householderQ());
+            for (Eigen::Index k = axes.cols(); k < 6; ++k) rows.push_back({child, parent, all.col(k), -all.col(k)});
+            for (const auto& rotor : joint.rotors) {
+                const Vec6 turning = turningOf(joint, axes);
+                rows.push_back({child, parent, rotor->ratio * turning, (1 - rotor->ratio) * turning, 1 / rotor->inertia});
+            }
+        }
+    return rows;
+}
+
 /// Method: with mass matrix M, rows G of joints and contacts and the row w of the force, its mobility is w M^-1 w less what the joints
 /// take of it, (G M^-1 w) (G M^-1 G)^-1 (G M^-1 w). A little give in every row lets loops have too many of them.
 double JointInertias::between(std::span<const std::uint32_t> bodies, std::span<const Push> pair, std::span<const Push> contacts) {
     using Matrix = Eigen::MatrixXd;
     m_origin = vec(m_bodies[bodies[0]].p);
-    const auto columnOf = [&](std::uint32_t body) {
-        const auto found = std::ranges::lower_bound(bodies, body);
-        return found != bodies.end() && *found == body ? 6 * (found - bodies.begin()) : -1;
-    };
     const auto rowOf = [&](const Push& push) {
         return (Vec6() << (push.point - m_origin).cross(push.direction), push.direction).finished();
     };
-    std::vector<std::pair<std::pair<Eigen::Index, Eigen::Index>, Vec6>> rows; // columns of two bodies, -1: none
-    for (const std::uint32_t body : bodies)
-        for (const std::uint32_t index : body < m_jointsOf.size() ? m_jointsOf[body] : std::vector<std::uint32_t>()) {
-            const OdeJoint& joint = m_joints[index];
-            if (body != joint.child && columnOf(joint.child) >= 0) continue; // once, at its child
-            const Eigen::Index child = columnOf(joint.child), parent = joint.parent == kNone ? -1 : columnOf(joint.parent);
-            if (child < 0 || (parent < 0 && joint.parent != kNone)) continue; // to a body that is left out
-            const Axes axes = axesOf(joint);
-            const Mat6 all = axes.cols() == 0 ? Mat6(Mat6::Identity()) : Mat6(axes.householderQr().householderQ());
-            for (Eigen::Index k = axes.cols(); k < 6; ++k) rows.push_back({{child, parent}, all.col(k)});
-        }
-    for (const Push& contact : contacts) rows.push_back({{columnOf(contact.body), -1}, rowOf(contact)});
+    std::vector<Row> rows = rowsOf(bodies);
+    for (const Push& contact : contacts) rows.push_back({columnOf(bodies, contact.body), -1, rowOf(contact), Vec6::Zero()});
     const auto size = static_cast<Eigen::Index>(6 * bodies.size()), count = static_cast<Eigen::Index>(rows.size());
     Matrix g = Matrix::Zero(count, size), weighted(size, count); // weighted: M^-1 G^T
     for (Eigen::Index i = 0; i < count; ++i) {
-        const auto& [columns, row] = rows[static_cast<std::size_t>(i)];
-        g.row(i).segment<6>(columns.first) += row.transpose();
-        if (columns.second >= 0) g.row(i).segment<6>(columns.second) -= row.transpose();
+        const Row& row = rows[static_cast<std::size_t>(i)];
+        g.row(i).segment<6>(row.child) += row.ofChild.transpose();
+        if (row.parent >= 0) g.row(i).segment<6>(row.parent) += row.ofParent.transpose();
     }
     Eigen::VectorXd force = Eigen::VectorXd::Zero(size), moved(size);
-    force.segment<6>(columnOf(pair[0].body)) += rowOf(pair[0]);
-    if (pair.size() > 1) force.segment<6>(columnOf(pair[1].body)) -= rowOf(pair[1]);
+    force.segment<6>(columnOf(bodies, pair[0].body)) += rowOf(pair[0]);
+    if (pair.size() > 1) force.segment<6>(columnOf(bodies, pair[1].body)) -= rowOf(pair[1]);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const auto at = static_cast<Eigen::Index>(6 * i);
         const Mat6 inverse = inertiaOf(bodies[i]).inverse();
@@ -182,6 +219,7 @@ double JointInertias::between(std::span<const std::uint32_t> bodies, std::span<c
     if (count > 0) {
         Matrix held = g * weighted;
         held.diagonal() *= 1 + kGive;
+        for (Eigen::Index i = 0; i < count; ++i) held(i, i) += rows[static_cast<std::size_t>(i)].give;
         const Eigen::VectorXd rates = g * moved;
         mobility -= rates.dot(held.ldlt().solve(rates));
     }

@@ -37,7 +37,26 @@ private:
     using Mat6 = Eigen::Matrix<double, 6, 6>;
     using Axes = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 3>;
 
+    /// Of a motion x + A q of the body on one side of a joint, which has A for its axes, while that on the other side moves by x.
+    struct Side {
+        Mat6 total;                                                         ///< by x
+        Axes mixed;                                                         ///< by x and q
+        Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> own; ///< by q
+    };
+
+    /// Of two bodies, by their columns; -1: none.
+    struct Row {
+        Eigen::Index child, parent;
+        Vec6 ofChild, ofParent;
+        double give = 0; ///< 1 / (kg m^2)
+    };
+
     [[nodiscard]] Axes axesOf(const OdeJoint& joint) const;
+    [[nodiscard]] static Vec6 turningOf(const OdeJoint& joint, const Axes& axes);
+    [[nodiscard]] static Eigen::Index columnOf(std::span<const std::uint32_t> bodies, std::uint32_t body);
+    [[nodiscard]] std::vector<Row> rowsOf(std::span<const std::uint32_t> bodies) const;
+    [[nodiscard]] Side sideWithRotors(const OdeJoint& joint, bool isChild, const Mat6& inertia) const;
+    [[nodiscard]] Mat6 throughJoint(const OdeJoint& joint, bool isChild, const Mat6& inertia) const;
     [[nodiscard]] Mat6 inertiaOf(std::uint32_t body) const;
     [[nodiscard]] Mat6 sideOf(std::uint32_t body, std::uint32_t without);
 

@@ -1,44 +1,44 @@
 #include "world/ode/joints/joint_wrenches.h"
 
-#include <array>
-
 #include "world/ode/objects/ode_math.h"
 
 namespace trundle {
 
 namespace {
 
-std::array<dJointID, 7> rowsOf(const OdeJoint& joint) {
-    return {joint.id, joint.drive, joint.spring, joint.friction, joint.stop, joint.damper, joint.losses};
+/// Calls `use` for each row of a joint.
+template <class Use> void eachRow(const OdeJoint& joint, const Use& use) {
+    for (const dJointID row : {joint.id, joint.drive, joint.spring, joint.friction, joint.stop, joint.damper, joint.losses})
+        if (row) use(row);
+    for (const auto& rotor : joint.rotors) use(rotor->row);
 }
 
 } // namespace
 
 void JointWrenches::prepare() {
     for (const std::uint32_t index : m_joints)
-        for (const dJointID row : rowsOf(m_objects.joints[index])) {
-            if (!row) continue;
+        eachRow(m_objects.joints[index], [this](dJointID row) {
             if (dJointFeedback* known = dJointGetFeedback(row)) {
                 *known = {}; // ODE leaves it as it is where the row is off in this step
-                continue;
+                return;
             }
             m_feedbacks.push_back(std::make_unique<dJointFeedback>());
             *m_feedbacks.back() = {};
             dJointSetFeedback(row, m_feedbacks.back().get());
-        }
+        });
 }
 
 JointWrench JointWrenches::of(std::uint32_t index) const {
     const OdeJoint& joint = m_objects.joints[index];
     const Vec3 centre = vec(m_objects.bodies[joint.child].p);
     JointWrench sum;
-    for (const dJointID row : rowsOf(joint)) {
-        const dJointFeedback* f = row ? dJointGetFeedback(row) : nullptr;
-        if (!f) continue;
+    eachRow(joint, [&](dJointID row) {
+        const dJointFeedback* f = dJointGetFeedback(row);
+        if (!f) return;
         const bool first = dJointGetBody(row, 0) == m_objects.bodies[joint.child].id;
         sum.force += vec(first ? f->f1 : f->f2);
         sum.torque += vec(first ? f->t1 : f->t2);
-    }
+    });
     // ODE's torques are about the centre of mass of each body. The parent's anchor is the one that jointAnchor gives.
     Vec3 anchor = joint.parentAnchor;
     if (joint.parent != kNone) {

@@ -147,11 +147,12 @@ void IslandThreads::work(unsigned index, std::size_t every) {
     } catch (const OdeFault&) { m_faulted = true; }
     m_arrivals.fetch_add(1, std::memory_order_acq_rel);
     t_worker = nullptr;
-    if (index > 0) m_messages.fetch_add(odeMessages() - before, std::memory_order_relaxed);
+    if (std::this_thread::get_id() != m_caller) m_messages.fetch_add(odeMessages() - before, std::memory_order_relaxed);
 }
 
 /// Throws OdeFault in place of the thread where it happened; then the calls that are left are lost, and this is not used any more.
 void IslandThreads::workOff() {
+    m_caller = std::this_thread::get_id();
     if (m_shared && m_first.size() > 1) m_team.run(m_team.size(), [this](unsigned worker) { work(worker, m_team.size()); });
     else work(0, 1);
     addOdeMessages(m_messages.exchange(0, std::memory_order_relaxed));

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <deque>
 #include <memory>
+#include <thread>
 #include <vector>
 
 #include <ode/ode.h>
@@ -65,6 +66,7 @@ private:
     std::atomic<unsigned> m_arrivals{
         0}; ///< and departures: who comes sees what those who have gone did, whose memory it may get from ODE
     std::atomic<std::uint64_t> m_messages{0}; ///< of ODE on other threads
+    std::thread::id m_caller;                 ///< of workOff()
 
     static thread_local Worker* t_worker; ///< whose call this thread is in
 };

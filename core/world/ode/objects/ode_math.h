@@ -22,6 +22,12 @@ inline Mat3 matrix(const dReal* r) {
     m << r[0], r[1], r[2], r[4], r[5], r[6], r[8], r[9], r[10];
     return m;
 }
+/// Times u: v x u.
+inline Mat3 crossing(const Vec3& v) {
+    Mat3 m;
+    m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+    return m;
+}
 /// ODE's quaternion order: w x y z.
 inline Quat quat(const dReal* q) { return {q[0], q[1], q[2], q[3]}; }
 inline void toOde(const Quat& q, dReal out[4]) {

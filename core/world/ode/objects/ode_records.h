@@ -83,6 +83,14 @@ struct OdeActor {
     std::vector<IndexPair> selfPairs; ///< geoms that may touch each other
 };
 
+/// A rotor on a joint's parent, which turns `ratio` times as far against it as the child does, about the joint's axis.
+struct OdeRotor {
+    double inertia = 0, ratio = 1; ///< kg m^2
+    dJointID row = nullptr;
+    int axisOf = 0; ///< 0: `axis` is in the child's axes, 1: in the parent's
+    Vec3 axis = Vec3::UnitZ();
+};
+
 /// First what every tick looks at, then what only some joints have.
 struct OdeJoint {
     JointType type = JointType::Hinge;
@@ -112,6 +120,8 @@ struct OdeJoint {
     // Of JointInertias, along each free axis (a suspension's first is `slideAxis`): 0 until needed.
     Vec3 inertia = Vec3::Zero(), heldInertia = Vec3::Zero(); ///< held: while the child cannot move
     std::vector<std::uint32_t> childSide;                    ///< bodies that the child carries, with itself
+    std::vector<std::shared_ptr<const OdeRotor>> rotors;     ///< not of a joint to the world, whose child has their inertia
+    Vec3 rotorAxis = Vec3::UnitZ();                          ///< at the start of the last step, world
 };
 
 /// A spring, or a gear between two joints: one row along a line. The first body is never the world.

@@ -31,6 +31,8 @@ public:
     void share(bool shared);
     /// For steps whose result would depend on threads; then back to what there is.
     void useOneThread(bool one);
+    /// nullptr: there is one thread.
+    [[nodiscard]] WorkTeam* team() { return m_team.get(); }
 
 private:
     void makeThreading();

@@ -14,8 +14,8 @@ from .instance import Instance
 from .wire import Reader, Writer
 
 COMMAND, QUERY = 7, 108  # records
-_QUERIES = ("joint", "measured_joint", "body", "geom", "frame", "peer", "peer_number", "peer_text", "add_axial_inertia", "joint_state",
-          "joint_anchor", "joint_wrench", "body_state", "pose", "contacts", "cast", "geom_info", "reflectance")
+_QUERIES = ("joint", "measured_joint", "body", "geom", "frame", "peer", "peer_number", "peer_text", "add_axial_inertia", "add_rotor",
+          "joint_state", "joint_anchor", "joint_wrench", "body_state", "pose", "contacts", "cast", "geom_info", "reflectance")
 _COMMANDS = ("print", "motor_row", "servo_row", "joint_torque", "body_force", "surface_velocity", "draw")
 _NUMBERS = {name: number for number, name in enumerate(_QUERIES + _COMMANDS)}
 _NO_GEOM = 0xffffffff
@@ -80,6 +80,9 @@ class Calls:
 
     def add_axial_inertia(self, joint, inertia):
         self._query("add_axial_inertia", Writer().number("I", _handle(joint, "joint")).number("d", inertia))
+
+    def add_rotor(self, joint, inertia, ratio):
+        self._query("add_rotor", Writer().number("I", _handle(joint, "joint")).number("d", inertia).number("d", ratio))
 
     # of World
 
