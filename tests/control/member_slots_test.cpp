@@ -24,7 +24,7 @@ struct Pair {
         }
         for (std::uint32_t i = 0; i < layout.slotCount(); ++i) block.push_back(100 + i);
     }
-    [[nodiscard]] const SignalEntry& entry(const char* path) const { return *layout.find(path); }
+    [[nodiscard]] SignalEntry entry(const char* path) const { return *layout.find(path); }
 
     SignalLayout layout;
     std::vector<RobotSpec> robots;
