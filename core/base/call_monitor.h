@@ -119,8 +119,8 @@ private:
         return own;
     }
 
-    static inline constinit thread_local unsigned t_lane =
-        0; ///< of the calling thread in each monitor; the run's own thread has 0
+    /// Of the calling thread, in each monitor; the run's own thread has 0.
+    static inline constinit thread_local unsigned t_lane = 0;
 
     struct Code {
         std::uintptr_t begin = 0, end = 0;

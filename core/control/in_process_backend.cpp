@@ -19,6 +19,7 @@ public:
 
     Status start(const SignalLayout& layout, SignalBlock& block, ControllerOutputs outputs) override {
         m_done.reset();
+        m_seconds.reset();
         return m_controller.start(layout, {block.slots().data(), block.slots().data()}, m_outputs.inPlaceOf(std::move(outputs)));
     }
     Status tick(std::uint64_t tick, double time, double sinceLast) override {

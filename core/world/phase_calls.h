@@ -45,7 +45,7 @@ public:
     [[nodiscard]] const WorldDevice* run(const Round& round) const;
 
 private:
-    /// Reports whether `stop` was given and a device failed.
+    /// With `stop` it ends at the first device that fails, and returns that; else it calls all and returns nullptr.
     static const WorldDevice* call(const Round& round, unsigned thread, const DeviceCall* begin, const DeviceCall* end,
                                    bool stop);
     static void passTexts(const DeviceCall& call);

@@ -129,7 +129,7 @@ private Q_SLOTS:
     }
 
     void turnsAsideWithItsRotor_data() { addTicks(); }
-    /// About an axis that is none of the base's own the whole tumbles, and its momentum is what it is without a rotor: 0, less an error of
+    /// About no principal axis of the base the whole tumbles, and its momentum is what it is without a rotor: 0, less an error of
     /// first order in the tick.
     void turnsAsideWithItsRotor() {
         QFETCH(double, tick);
