@@ -55,7 +55,9 @@ private:
     [[nodiscard]] double* slot(const SignalEntry& entry, bool writable) const;
     [[nodiscard]] bool isAlwaysNew(const std::string& kind, const std::string& device) const;
     std::int32_t reportStatus(const Status& status);
-    [[nodiscard]] bool isRadio(std::uint32_t radio) const { return m_outputs.radios && m_outputs.radios->exists(radio); }
+    [[nodiscard]] bool isRadio(std::uint32_t radio) const {
+        return m_outputs.radios && !isIndependent() && m_outputs.radios->exists(radio);
+    }
 
     // The functions of the tables; `context` is the ControllerInstance.
     static double* bind(void* context, const char* kind, const char* device, const char* signal);

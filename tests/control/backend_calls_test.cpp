@@ -400,6 +400,38 @@ private Q_SLOTS:
         other.script.setup = [&](const TrundleRobot& robot) { return robot.radio->find(robot.context, "near", &radio) ? 0 : 1; };
         QVERIFY(!other.start().ok());
     }
+
+    /// Of a kind that says that it uses nothing that robots share: no radio at all, pictures and new logs in setup alone.
+    void whatAnIndependentControllerIsRefused() {
+        Radios radios;
+        Stage stage;
+        stage.kind.traits = TRUNDLE_INDEPENDENT;
+        stage.outputs.radios = radiosOf(radios.medium);
+        std::uint32_t radio = 5;
+        stage.script.setup = [&](const TrundleRobot& robot) { return robot.radio->find(robot.context, "near", &radio) ? 0 : 1; };
+        QCOMPARE(
+            messageOf(stage.start()),
+            std::string("the controller Script of robot0 says that it is independent of other robots, and asks for a radio"));
+        CameraImage image{1, 1, 5, 0.125, {1, 2, 3}, {}, {}};
+        stage.outputs.capture = [&](const std::string&) -> Result<const CameraImage*> { return &image; };
+        stage.outputs.openLog = [](const std::string&) { return 3; };
+        int taken = 0, opened = 0;
+        std::string error;
+        const auto ask = [&](const TrundleRobot& robot) {
+            TrundlePicture picture{};
+            picture.size = sizeof picture;
+            taken += robot.cameras->capture(robot.cameras->context, "eye", &picture) == 0;
+            error = robot.cameras->lastError(robot.cameras->context);
+            opened += robot.openLog(robot.context, "a.txt") == 3;
+            const std::uint8_t byte = 1;
+            return robot.radio->send(robot.context, radios.near, &byte, 1, 22, 0) != 0 ? 0 : 1; // a number that it guesses
+        };
+        stage.script.setup = ask;
+        stage.script.update = [&](const TrundleRobot& robot, double) { return ask(robot); };
+        QVERIFY(stage.start().ok() && taken == 1 && opened == 1 && error.empty());
+        QVERIFY(stage.tick().ok() && taken == 1 && opened == 1);
+        QCOMPARE(error, std::string("its kind says that it is independent of other robots, and it asks for a picture"));
+    }
 };
 
 QTEST_APPLESS_MAIN(BackendCallsTest)
