@@ -72,7 +72,7 @@ const World kWorlds[] = {
      "Robot crane { Config=Crane }\nRobot load { Config=Load Pos=0.005,0.004,0.03 HPR=3,0,0 }\n",
      "3", "a80dace4cb3a2dbe"},
     {"robots that crowd", nullptr, "Grid g { Config=SimpleRobot Count=6,5 Spacing=0.5 RandomDrive b { Speed=0.6 TurnRate=2 } }\n",
-     "8", "cf91192eb18b0214"},
+     "8", "54b99a4b3e5bee2a"},
     {"robots that crowd, a crate and a ball, on wheels", nullptr,
      "Engine=wheeled\nRobotConfig Crate { Body b { Box g { Size=0.12,0.1,0.08 Mass=0.3 Surface=plastic Material=red } } }\n"
      "RobotConfig Ball { Body b { Sphere g { Radius=0.05 Mass=0.2 Surface=rubber Material=red } } }\n"
@@ -88,7 +88,7 @@ const World kWorlds[] = {
      "Grid c { Config=Can Count=3,3 Spacing=0.1 Pos=0,0.03,0.6 HPR=0,50,20 }\n"
      "Grid d { Config=Chain Count=2,2 Spacing=0.8,0.4 Pos=0,1,0.5 HPR=20,30,0 }\nRobot w { Config=Wedge Pos=-1,-1,0.5 "
      "HPR=30,40,50 }\n",
-     "2", "21ed05ebf8b69b7a"},
+     "2", "e19aa7615bc91901"},
     {"springs and stops", nullptr,
      "RobotConfig Cart { Body hull { Pos=0,0,0.25 Box g { Size=0.5,0.3,0.1 Mass=4 Surface=plastic Material=red } }\n"
      "  Repeat corner { Count=2,2 Pos=$(0.4*index - 0.2),$(0.36*index2 - 0.18),0 Body wheel { Pos=0,0,0.1 Cylinder tyre { "

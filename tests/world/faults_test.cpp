@@ -197,6 +197,12 @@ const std::vector<FaultCase>& faultCases() {
          },
          false},
         {"gravity of a star", [](auto& e, auto&, auto&) { e.settings.gravity.z() = -1e4; }, false},
+        {"microscopic wheels in long ticks",
+         [](auto& e, auto& c, auto&) {
+             c.bodies[1].geoms[0].radius = 1e-6;
+             e.settings.tick = 0.1;
+         },
+         false},
         {"half a second a tick", [](auto& e, auto&, auto&) { e.settings.tick = 0.5; }, false},
         {"a floor that is tilted upside down", [](auto&, auto&, auto& s) { s[0].pose = at(0, 0, 5, degrees(0, 180, 0)); }, false},
         {"self collision of everything",

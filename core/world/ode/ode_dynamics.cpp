@@ -12,8 +12,8 @@ constexpr int kMostCones = 2, kMostVelocities = 3, kMostThrown = 3;
 } // namespace
 
 OdeDynamics::OdeDynamics(const EngineSettings& settings, OdeWorld& world, const OdeObjects& objects, TickContacts& contacts)
-    : m_settings(settings), m_objects(objects), m_contacts(contacts), m_rows(settings, world, objects), m_heaps(settings),
-      m_solver(settings, world, objects, contacts, m_rows, m_drift) {}
+    : m_settings(settings), m_objects(objects), m_contacts(contacts), m_rows(settings, world, objects), m_stops(objects),
+      m_heaps(settings), m_solver(settings, world, objects, contacts, m_rows, m_drift) {}
 
 void OdeDynamics::prepare() {
     if (m_prepared == m_objects.bodies.size()) return;
@@ -22,6 +22,7 @@ void OdeDynamics::prepare() {
     m_drift.setUp(m_objects.bodies, m_objects.joints);
     m_plan.setUp(m_objects.bodies, m_objects.joints, m_objects.couplings, m_objects.latches);
     m_impacts.setUp(m_objects.joinedActors());
+    m_stops.setUp();
     m_prepared = m_objects.bodies.size();
 }
 
@@ -83,9 +84,9 @@ void OdeDynamics::solve(double h) {
     keepContacts(h);
 }
 
-/// The clusters of these contacts once more, with their rows made anew.
-void OdeDynamics::takeBack(std::span<const std::uint32_t> contacts, double h) {
-    m_again.clear();
+/// The clusters of these contacts, with their rows made anew, and of these bodies once more.
+void OdeDynamics::takeBack(std::span<const std::uint32_t> contacts, double h, std::span<const std::uint32_t> bodies) {
+    m_again.assign(bodies.begin(), bodies.end());
     for (const std::uint32_t i : contacts) m_again.push_back(m_objects.geoms[m_contacts.all[i].first].body);
     m_solver.takeBack(m_plan, m_again);
     m_rows.remake(m_contacts, contacts, h);
@@ -112,14 +113,17 @@ void OdeDynamics::limitSprings(double h) {
     }
 }
 
-/// What a contact pushes out is moved, not thrown.
+/// What a contact or the stop of a joint pushes out is moved, not thrown.
 void OdeDynamics::keepVelocities(double h) {
     auto again = m_pushOut.find(m_contacts, m_objects, m_settings.surfaces, m_rows, m_solver.before(), h);
-    for (int i = 0; i < kMostVelocities && !again.empty(); ++i) {
-        takeBack(again, h);
+    auto stopped = m_stops.find();
+    for (int i = 0; i < kMostVelocities && !(again.empty() && stopped.empty()); ++i) {
+        takeBack(again, h, stopped);
         m_solver.solveVelocities(h);
         again = m_cones.find(m_contacts, m_objects, m_rows, m_solver.before(), kOutside);
+        stopped = {};
     }
+    m_stops.release();
 }
 
 void OdeDynamics::recordLargest() {

@@ -6,6 +6,7 @@
 #include "world/ode/contacts/friction_cones.h"
 #include "world/ode/contacts/impacts.h"
 #include "world/ode/contacts/push_out.h"
+#include "world/ode/joints/pushed_stops.h"
 #include "world/ode/motion/body_rotation.h"
 #include "world/ode/solver/cluster_solver.h"
 #include "world/ode/solver/heap_forces.h"
@@ -33,7 +34,7 @@ public:
 
 private:
     void solve(double h);
-    void takeBack(std::span<const std::uint32_t> contacts, double h);
+    void takeBack(std::span<const std::uint32_t> contacts, double h, std::span<const std::uint32_t> bodies = {});
     void followCones(double h);
     void keepVelocities(double h);
     void limitSprings(double h);
@@ -49,6 +50,7 @@ private:
     Impacts m_impacts;
     FrictionCones m_cones;
     PushOut m_pushOut;
+    PushedStops m_stops;
     BodyRotation m_rotation;
     PinnedBodies m_pinned;
     JointDrift m_drift;

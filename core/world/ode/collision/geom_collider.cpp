@@ -66,7 +66,13 @@ void GeomCollider::meetPlane(std::uint32_t index, const GroundPlane& plane, Cont
     }
     if (g.shape == GeomShape::Sphere) sphereOnPlane(index, plane, contacts);
     else if (g.shape == GeomShape::Box) boxOnPlane(index, plane, contacts);
+    else if (m_onHulls.clear(); m_hulls.standsOnPlane(index, plane, kMaxKept, m_onHulls))
+        addHullContacts(index, plane.geom, contacts);
     else genericContacts(index, plane.geom, contacts);
+}
+
+void GeomCollider::addHullContacts(std::uint32_t first, std::uint32_t second, Contacts& contacts) const {
+    for (const SurfaceContact& c : m_onHulls) addContact(first, second, c.position.data(), c.normal.data(), c.depth, contacts);
 }
 
 void GeomCollider::sphereOnPlane(std::uint32_t index, const GroundPlane& plane, Contacts& contacts) const {
@@ -205,19 +211,12 @@ bool GeomCollider::lineContacts(std::uint32_t first, std::uint32_t second, const
 void GeomCollider::genericContacts(std::uint32_t first, std::uint32_t second, Contacts& contacts) {
     const int most = mostContacts(first, second);
     m_onHulls.clear();
-    if (m_hulls.meet(first, second, most, m_onHulls)) {
-        for (const SurfaceContact& c : m_onHulls)
-            addContact(first, second, c.position.data(), c.normal.data(), c.depth, contacts);
-        return;
-    }
+    if (m_hulls.meet(first, second, most, m_onHulls)) return addHullContacts(first, second, contacts);
     dContactGeom found[kMaxFound];
     const int count = collide(first, second, found);
     if (count == 0) return;
-    if (count == 1 && most > kMaxOfRobots && lineContacts(first, second, vec(found[0].normal))) {
-        for (const SurfaceContact& c : m_onHulls)
-            addContact(first, second, c.position.data(), c.normal.data(), c.depth, contacts);
-        return;
-    }
+    if (count == 1 && most > kMaxOfRobots && lineContacts(first, second, vec(found[0].normal)))
+        return addHullContacts(first, second, contacts);
     atRadius(first, 1, found, count);
     atRadius(second, -1, found, count);
     UsedPoints used{};

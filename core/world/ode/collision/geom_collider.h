@@ -1,5 +1,5 @@
 #pragma once
-// Where two geoms touch. Balls, boxes and wheels on planes, and wheels on boxes, are computed in closed form; all other pairs use
+// Where two geoms touch. Balls, boxes, wheels and standing cylinders on planes, and wheels on boxes, are computed in closed form; all other pairs use
 // dCollide, always as (lower, higher), reduced to a few well-spread points.
 
 #include <vector>
@@ -27,6 +27,7 @@ private:
     void sphereOnPlane(std::uint32_t geom, const GroundPlane& plane, Contacts& contacts) const;
     void boxOnPlane(std::uint32_t geom, const GroundPlane& plane, Contacts& contacts) const;
     void genericContacts(std::uint32_t first, std::uint32_t second, Contacts& contacts);
+    void addHullContacts(std::uint32_t first, std::uint32_t second, Contacts& contacts) const;
     void atRadius(std::uint32_t geom, double side, dContactGeom* found, int count) const;
     [[nodiscard]] bool lineContacts(std::uint32_t first, std::uint32_t second, const Vec3& normal);
     [[nodiscard]] int collide(std::uint32_t first, std::uint32_t second, dContactGeom* found) const;

@@ -9,7 +9,6 @@ namespace trundle {
 
 namespace {
 
-constexpr double kOnEnd = 0.999;      // cosine between contact normal and cylinder axis: the contact is on an end face
 constexpr double kOneDirection = 0.9; // cosine; contacts with the same direction
 constexpr double kSameDepth = 5e-5;   // m; smaller differences are decided by index, so that the choice is stable between ticks
 
@@ -62,6 +61,11 @@ void addSpread(std::vector<SurfaceContact>& contacts, int most, std::vector<Surf
     out.insert(out.end(), kept.begin(), kept.end());
 }
 
+void addWidest(std::vector<SurfaceContact>& contacts, int most, std::vector<SurfaceContact>& out) {
+    keepWidest(contacts, most);
+    out.insert(out.end(), contacts.begin(), contacts.end());
+}
+
 } // namespace
 
 void HullCollider::setBody(std::uint32_t index, FlatBody& body) const {
@@ -80,14 +84,77 @@ void HullCollider::setBody(std::uint32_t index, FlatBody& body) const {
 
 bool HullCollider::setFaces(std::uint32_t index, const Vec3& normal) {
     const OdeGeom& g = m_objects.geoms[index];
-    const bool isEnd = g.shape == GeomShape::Cylinder && std::abs(m_objects.axesOf(g).col(2).dot(normal)) > kOnEnd;
+    const bool isEnd = g.shape == GeomShape::Cylinder && std::abs(m_objects.axesOf(g).col(2).dot(normal)) > kFlush;
     if (!isEnd && g.shape != GeomShape::Box && g.shape != GeomShape::Convex) return false;
     setBody(index, m_pair.first);
     return true;
 }
 
 bool HullCollider::meet(std::uint32_t first, std::uint32_t second, int most, std::vector<SurfaceContact>& contacts) {
-    return hullContacts(first, second, most, contacts) || hullOnMesh(first, second, most, contacts);
+    return endContacts(first, second, most, contacts) || hullContacts(first, second, most, contacts) ||
+           hullOnMesh(first, second, most, contacts);
+}
+
+/// That end of a cylinder which is farther that way.
+RoundEnd HullCollider::endTowards(std::uint32_t index, const Vec3& way) const {
+    const OdeGeom& g = m_objects.geoms[index];
+    const Vec3 axis = m_objects.axesOf(g).col(2), outward = axis.dot(way) < 0 ? Vec3(-axis) : axis;
+    return {m_objects.centres[index] + g.half.z() * outward, outward, g.radius};
+}
+
+bool HullCollider::standsOnPlane(std::uint32_t index, const GroundPlane& plane, int most,
+                                 std::vector<SurfaceContact>& out) const {
+    if (m_objects.geoms[index].shape != GeomShape::Cylinder) return false;
+    const RoundEnd end = endTowards(index, -plane.normal);
+    if (-end.outward.dot(plane.normal) < kFlush) return false;
+    std::vector<SurfaceContact> contacts;
+    endOnPlane(end, plane.normal, plane.distance, contacts);
+    addWidest(contacts, most, out);
+    return true;
+}
+
+/// Returns how far they overlap across the normal, m; nothing is added where no end is on a side.
+double HullCollider::endOnBox(std::uint32_t cylinder, std::uint32_t box, std::vector<SurfaceContact>& out) const {
+    const OdeGeom& g = m_objects.geoms[box];
+    const Mat3 axes = m_objects.axesOf(g);
+    const Vec3 axis = axes.transpose() * m_objects.axesOf(m_objects.geoms[cylinder]).col(2),
+               from = axes.transpose() * (m_objects.centres[cylinder] - m_objects.centres[box]);
+    int k = 0;
+    if (axis.cwiseAbs().maxCoeff(&k) < kFlush || std::abs(from[k]) < g.half[k]) return 0;
+    const int u = (k + 1) % 3, v = (k + 2) % 3;
+    const double sign = from[k] < 0 ? -1 : 1;
+    const Vec3 outward = sign * axes.col(k);
+    const RoundEnd end = endTowards(cylinder, -outward);
+    endOnSide(end, {m_objects.centres[box] + g.half[k] * outward, outward, axes.col(u), axes.col(v), g.half[u], g.half[v]}, out);
+    return end.radius + std::min(g.half[u] - std::abs(from[u]), g.half[v] - std::abs(from[v]));
+}
+
+/// The same of an end on an end, which is the ground.
+double HullCollider::endOnCylinder(std::uint32_t first, std::uint32_t second, std::vector<SurfaceContact>& out) const {
+    const Vec3 from = m_objects.centres[first] - m_objects.centres[second];
+    const RoundEnd ground = endTowards(second, from), end = endTowards(first, -from);
+    const double above = from.dot(ground.outward);
+    if (-end.outward.dot(ground.outward) < kFlush || above < m_objects.geoms[second].half.z()) return 0;
+    endOnEnd(end, ground, out);
+    return end.radius + ground.radius - (from - above * ground.outward).norm();
+}
+
+/// False unless an end of a cylinder is on a side of a box or on an end of another one.
+bool HullCollider::endContacts(std::uint32_t first, std::uint32_t second, int most, std::vector<SurfaceContact>& out) const {
+    const GeomShape a = m_objects.geoms[first].shape, b = m_objects.geoms[second].shape;
+    const bool both = a == GeomShape::Cylinder && b == GeomShape::Cylinder,
+               boxFirst = a == GeomShape::Box && b == GeomShape::Cylinder;
+    if (!both && !boxFirst && (a != GeomShape::Cylinder || b != GeomShape::Box)) return false;
+    std::vector<SurfaceContact> contacts;
+    const double across = both       ? endOnCylinder(first, second, contacts)
+                          : boxFirst ? endOnBox(second, first, contacts)
+                                     : endOnBox(first, second, contacts);
+    // Where they overlap less across the normal than along it, one is beside the other.
+    if (contacts.empty() || std::ranges::max(contacts, {}, &SurfaceContact::depth).depth > across) return false;
+    if (boxFirst)
+        for (SurfaceContact& c : contacts) c.normal = -c.normal;
+    addWidest(contacts, most, out);
+    return true;
 }
 
 /// False if the pair is not a hull and a shape with flat faces, if only edges cross, or if a cylinder's lateral surface touches.
@@ -100,14 +167,18 @@ bool HullCollider::hullContacts(std::uint32_t first, std::uint32_t second, int m
     const FlatTouch& touch = m_pair.findContacts();
     if (touch.apart) return true;
     if (touch.contacts.empty()) return false;
-    for (const std::uint32_t g : {first, second})
-        if (m_objects.geoms[g].shape == GeomShape::Cylinder &&
-            std::abs(touch.normal.dot(m_objects.axesOf(m_objects.geoms[g]).col(2))) < kOnEnd)
-            return false;
     std::vector<SurfaceContact> contacts;
     for (const FlatContact& c : touch.contacts) contacts.push_back({c.position, touch.normal, std::max(c.depth, 0.0)});
+    if ((a == GeomShape::Cylinder && !areOnEnds(first, contacts)) || (b == GeomShape::Cylinder && !areOnEnds(second, contacts)))
+        return false;
     addSpread(contacts, most, out);
     return true;
+}
+
+/// Not on the lateral surface of the cylinder.
+bool HullCollider::areOnEnds(std::uint32_t cylinder, const std::vector<SurfaceContact>& contacts) const {
+    const Vec3 axis = m_objects.axesOf(m_objects.geoms[cylinder]).col(2);
+    return std::ranges::all_of(contacts, [&](const SurfaceContact& c) { return std::abs(c.normal.dot(axis)) >= kFlush; });
 }
 
 /// The mesh triangles that touch the hull's bounding box, in world coordinates.
@@ -127,14 +198,31 @@ std::vector<Triangle> HullCollider::trianglesNear(std::uint32_t mesh, std::uint3
     return triangles;
 }
 
-/// False if the pair is not a hull and a mesh, or if only edges cross.
+/// Whether an end of the cylinder is as level as one of the triangles, and no farther above it than its rim reaches down.
+bool HullCollider::isFlushWith(std::uint32_t cylinder, const std::vector<Triangle>& triangles) const {
+    const Vec3 axis = m_objects.axesOf(m_objects.geoms[cylinder]).col(2);
+    return std::ranges::any_of(triangles, [&](const Triangle& t) {
+        const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
+        if (std::abs(normal.dot(axis)) < kFlush) return false;
+        const Vec3 up = normal.dot(m_objects.centres[cylinder] - t[0]) < 0 ? Vec3(-normal) : normal;
+        const RoundEnd end = endTowards(cylinder, -up);
+        return up.dot(end.centre - t[0]) < end.radius * kFlushSlope;
+    });
+}
+
+/// False if the pair is not a mesh and a hull or a cylinder that stands on it, or if only edges cross.
 bool HullCollider::hullOnMesh(std::uint32_t first, std::uint32_t second, int most, std::vector<SurfaceContact>& out) {
-    const bool hullFirst = m_objects.geoms[first].shape == GeomShape::Convex;
+    const auto isMesh = [this](std::uint32_t i) { return m_objects.geoms[i].shape == GeomShape::Mesh; };
+    const bool hullFirst = isMesh(second);
     const std::uint32_t hull = hullFirst ? first : second, mesh = hullFirst ? second : first;
-    if (m_objects.geoms[hull].shape != GeomShape::Convex || m_objects.geoms[mesh].shape != GeomShape::Mesh) return false;
+    const GeomShape shape = m_objects.geoms[hull].shape;
+    const bool isCylinder = shape == GeomShape::Cylinder;
+    if (!isMesh(mesh) || (shape != GeomShape::Convex && !isCylinder)) return false;
     const std::vector<Triangle> near = trianglesNear(mesh, hull);
+    if (isCylinder && !isFlushWith(hull, near)) return false;
     setBody(hull, m_pair.first);
     std::vector<SurfaceContact> contacts = contactsOnSurface(m_pair.first, near);
+    if (isCylinder && !areOnEnds(hull, contacts)) return false;
     if (contacts.empty()) return near.empty();
     sortByDepth(contacts);
     for (int round = 0; round < kMaxDirections && !contacts.empty(); ++round) {
@@ -143,7 +231,8 @@ bool HullCollider::hullOnMesh(std::uint32_t first, std::uint32_t second, int mos
         for (const SurfaceContact& c : contacts) (c.normal.dot(way) < kOneDirection ? others : group).push_back(c);
         if (!hullFirst)
             for (SurfaceContact& c : group) c.normal = -c.normal;
-        addSpread(group, most, out);
+        if (isCylinder) addWidest(group, most, out);
+        else addSpread(group, most, out);
         contacts.swap(others);
     }
     return true;

@@ -1,9 +1,11 @@
 #pragma once
-// Contacts of convex hulls with shapes that have flat faces: other hulls, boxes, ends of cylinders, meshes.
+// Contacts of flat faces with each other: of convex hulls with hulls, boxes, ends of cylinders and meshes, and of such ends with planes,
+// boxes and each other.
 
 #include <cstdint>
 #include <vector>
 
+#include "world/ode/collision/end_contacts.h"
 #include "world/ode/collision/hull_on_mesh.h"
 #include "world/ode/objects/ode_objects.h"
 
@@ -14,15 +16,24 @@ public:
     /// The objects outlive this; their geoms are where their bodies are.
     explicit HullCollider(const OdeObjects& objects) : m_objects(objects) {}
 
-    /// Adds the contacts of two geoms, at most `most` of one direction, with normals towards the first. False if they are not a hull and
-    /// such a shape, if only edges cross, or if a cylinder's lateral surface touches; the single contact of ODE is used then.
+    /// Adds the contacts of two geoms, at most `most` of one direction, with normals towards the first. False if they are not two such
+    /// shapes, if only edges cross, or if a cylinder's lateral surface touches; the single contact of ODE is used then.
     [[nodiscard]] bool meet(std::uint32_t first, std::uint32_t second, int most, std::vector<SurfaceContact>& contacts);
+    /// The same of a cylinder that stands on a plane. False if it does not.
+    [[nodiscard]] bool standsOnPlane(std::uint32_t geom, const GroundPlane& plane, int most,
+                                     std::vector<SurfaceContact>& contacts) const;
 
     /// Fills `faces` with those of a geom that has flat ones to which `normal` is across. False if it has none.
     [[nodiscard]] bool setFaces(std::uint32_t geom, const Vec3& normal);
     [[nodiscard]] const FlatBody& faces() const { return m_pair.first; }
 
 private:
+    [[nodiscard]] bool endContacts(std::uint32_t first, std::uint32_t second, int most, std::vector<SurfaceContact>& out) const;
+    [[nodiscard]] double endOnBox(std::uint32_t cylinder, std::uint32_t box, std::vector<SurfaceContact>& out) const;
+    [[nodiscard]] double endOnCylinder(std::uint32_t first, std::uint32_t second, std::vector<SurfaceContact>& out) const;
+    [[nodiscard]] RoundEnd endTowards(std::uint32_t cylinder, const Vec3& way) const;
+    [[nodiscard]] bool areOnEnds(std::uint32_t cylinder, const std::vector<SurfaceContact>& contacts) const;
+    [[nodiscard]] bool isFlushWith(std::uint32_t cylinder, const std::vector<Triangle>& triangles) const;
     [[nodiscard]] bool hullContacts(std::uint32_t first, std::uint32_t second, int most, std::vector<SurfaceContact>& out);
     [[nodiscard]] bool hullOnMesh(std::uint32_t first, std::uint32_t second, int most, std::vector<SurfaceContact>& out);
     [[nodiscard]] std::vector<Triangle> trianglesNear(std::uint32_t mesh, std::uint32_t hull);

@@ -36,16 +36,23 @@ struct Limited {
     double position, rate, lastRate, low, high;
 };
 
+/// Lands on a stop that is reached within the tick. Beyond one, or where one has just acted, ODE's own stop does it alone: to both at once
+/// it would add an infinite force.
 void limitAxis(const OdeJoint& joint, int axis, const Limited& m, double h) {
-    const double gain = m.rate - m.lastRate;
+    const double before = m.position - h * m.rate, gain = m.rate - m.lastRate;
+    const bool wasBeyond = before < m.low - kSameStop || before > m.high + kSameStop;
     const bool hasActed = rowOf(joint.stop, joint.type, axis, dParamFMax) > 0; // what it took in the last tick does not go on
-    const double step = h * (m.rate + (gain * m.rate > 0 || !hasActed ? gain : 0));
+    const double step = h * (m.rate + (!wasBeyond && (gain * m.rate > 0 || !hasActed) ? gain : 0));
     const double down = m.position - m.low, up = m.high - m.position;
-    const bool low = down > kSameStop && down + step<0, high = up> kSameStop && up < step;
+    const bool isWithin = down > -kSameStop && up > -kSameStop;
+    const bool low = isWithin && down > kSameStop && down + step < 0, high = isWithin && up > kSameStop && up < step;
     if (low || high) setRow(joint.stop, joint.type, axis, dParamVel, (low ? -down : up) / h);
     setRow(joint.stop, joint.type, axis, dParamFMax, low || high ? dInfinity : 0);
     if (joint.type == JointType::Slider) return;
-    const double angle = std::abs(down) <= kSameStop ? m.low : std::abs(up) <= kSameStop ? m.high : m.position;
+    double angle = m.position;
+    if (low || high) angle = std::clamp(angle, m.low + kSameStop, m.high - kSameStop);
+    else if (std::abs(down) <= kSameStop) angle = m.low;
+    else if (std::abs(up) <= kSameStop) angle = m.high;
     dJointSetAMotorAngle(joint.stop, axis, angle);
 }
 

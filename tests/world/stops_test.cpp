@@ -1,0 +1,145 @@
+// Stops of joints that are passed within a tick or lie close together: nothing comes back from them faster than it went, and what is
+// outside is put inside without a speed.
+#include <QtTest>
+
+#include "world/fixtures.h"
+
+using namespace fixture;
+
+namespace {
+
+constexpr double kDegree = kPi / 180;
+
+/// A plate of 200 g in front of the y-z plane on a joint to the world, which a push along x turns or shifts to its high stop.
+struct Gate {
+    JointType type;
+    Vec3 anchor, axis;
+    double room; ///< m or rad up to the stop
+};
+
+JointSpec stopped(const Gate& gate) {
+    JointSpec spec = joint("j", gate.type, kWorldBody, 0, gate.anchor, gate.axis);
+    if (gate.type == JointType::Universal) spec.axis2 = Vec3::UnitZ();
+    if (gate.type == JointType::Ball) spec.swingStop = gate.room;
+    else spec.highStop = gate.room;
+    return spec;
+}
+
+} // namespace
+
+class StopsTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void takesABlow_data() {
+        QTest::addColumn<int>("type");
+        QTest::addColumn<double>("tick");
+        for (const auto& [name, type] : {std::pair("slider", JointType::Slider), std::pair("hinge", JointType::Hinge),
+                                         std::pair("universal joint", JointType::Universal), std::pair("ball", JointType::Ball)})
+            for (const double tick : {0.001, 0.005, 0.01, 0.02, 0.03})
+                QTest::addRow("%s, %g ms", name, 1e3 * tick) << static_cast<int>(type) << tick;
+    }
+    /// A ball without restitution ends at rest, wherever in a tick the plate reaches its stop.
+    void takesABlow() {
+        QFETCH(int, type);
+        QFETCH(double, tick);
+        for (const double room : {0.002, 0.003, 0.005, 0.008}) {
+            Gate gate{static_cast<JointType>(type), {0, 0, 1.1}, -Vec3::UnitY(), room / 0.1};
+            if (gate.type == JointType::Slider) gate = {JointType::Slider, {0, 0, 1}, Vec3::UnitX(), room};
+            if (gate.type == JointType::Ball) gate.axis = Vec3::UnitZ();
+            Scene scene(tick);
+            scene.spec->settings.gravity = Vec3::Zero();
+            auto config = std::make_shared<RobotConfigSpec>();
+            config->bodies.push_back(body("plate", at(0, 0, 1), massOfBox(0.2, {0.1, 0.2, 0.2}), {box("g", {0.1, 0.2, 0.2})}));
+            config->joints.push_back(stopped(gate));
+            scene.robot("gate", {}, config);
+            scene.ball("ball", {-0.2, 0, 1}, 0.5, 0.03);
+            auto world = scene.build();
+            QVERIFY(world);
+            const int ticks = static_cast<int>(std::ceil(0.03 / tick - 1e-9)); // in which it gets to 2 m/s
+            for (int i = 0; i < ticks; ++i) {
+                QVERIFY(world->push("ball/body", {0.5 * 2 / (ticks * tick), 0, 0}, world->robotPose(1).position).ok());
+                QVERIFY(world->tick().ok());
+            }
+            QVERIFY(std::abs(velocity(*world, "ball/body").x() - 2) < 0.01);
+            QVERIFY(run(*world, 0.5));
+            const double after = velocity(*world, "ball/body").x();
+            QVERIFY2(std::abs(after) < 0.04, qPrintable(QString("%1 m/s with %2 m").arg(after).arg(room)));
+        }
+    }
+
+    void closeStopsHold_data() {
+        QTest::addColumn<double>("degrees");
+        QTest::addColumn<double>("tick");
+        for (const double stop : {0.02, 0.5, 2.0, 5.0})
+            for (const double tick : {0.001, 0.005, 0.01, 0.02, 0.03})
+                QTest::addRow("%g degrees, %g ms", stop, 1e3 * tick) << stop << tick;
+    }
+    /// Turned to and fro without a pause, it stays between them.
+    void closeStopsHold() {
+        QFETCH(double, degrees);
+        QFETCH(double, tick);
+        for (const JointType type : {JointType::Hinge, JointType::Universal, JointType::Ball}) {
+            JointSpec spec = joint("j", type, kWorldBody, 0, {0, 0, 1}, type == JointType::Ball ? Vec3::UnitZ() : Vec3::UnitX());
+            spec.axis2 = Vec3::UnitY();
+            if (type == JointType::Ball) spec.swingStop = degrees * kDegree;
+            else {
+                spec.lowStop = spec.lowStop2 = -degrees * kDegree;
+                spec.highStop = spec.highStop2 = degrees * kDegree;
+            }
+            Scene scene(tick);
+            scene.spec->settings.gravity = Vec3::Zero();
+            auto config = std::make_shared<RobotConfigSpec>();
+            config->bodies.push_back(body("arm", at(0, 0, 1), massOfBox(0.1, {0.1, 0.02, 0.02}), {}));
+            config->joints.push_back(spec);
+            scene.robot("r", {}, config);
+            auto world = scene.build();
+            QVERIFY(world);
+            double most = 0;
+            for (int i = 0; i * tick < 0.6; ++i) {
+                // A couple of 40 uN m on 6.7e-6 kg m^2 that changes its way every 30 ms.
+                const double sign = static_cast<int>(i * tick / 0.03) % 2 ? -1 : 1;
+                const Vec3 place = world->robotPose(0).position, force(0, 0, sign * 4e-4), lever(0, 0.1, 0);
+                QVERIFY(world->push("r/arm", force, place + lever).ok() && world->push("r/arm", -force, place).ok());
+                QVERIFY(world->tick().ok());
+                const Quat q = world->robotPose(0).rotation;
+                QVERIFY(std::isfinite(q.w()));
+                most = std::max(most, 2 * std::abs(q.vec().norm()));
+            }
+            QVERIFY2(most < degrees * kDegree + 6 * 1.5 * tick * tick, qPrintable(QString("%1 rad").arg(most)));
+        }
+    }
+
+    void startsOutside_data() {
+        QTest::addColumn<int>("type");
+        QTest::addColumn<double>("tick");
+        for (const auto type : {JointType::Hinge, JointType::Slider})
+            for (const double tick : {0.001, 0.01, 0.03})
+                QTest::addRow("%s, %g ms", type == JointType::Hinge ? "hinge" : "slider", 1e3 * tick)
+                    << static_cast<int>(type) << tick;
+    }
+    /// It is put inside and stays there.
+    void startsOutside() {
+        QFETCH(int, type);
+        QFETCH(double, tick);
+        for (const double high : {0.21, 0.24, 3.0}) {
+            JointSpec spec = joint("j", static_cast<JointType>(type), kWorldBody, 0, {0, 0, 1}, Vec3::UnitX());
+            spec.lowStop = 0.2;
+            spec.highStop = high;
+            Scene scene(tick);
+            scene.spec->settings.gravity = Vec3::Zero();
+            auto config = std::make_shared<RobotConfigSpec>();
+            config->bodies.push_back(body("arm", at(0, 0, 1), massOfBox(0.1, {0.1, 0.02, 0.02}), {}));
+            config->joints.push_back(spec);
+            scene.robot("r", {}, config);
+            auto world = scene.build();
+            QVERIFY(world);
+            QVERIFY(run(*world, 1));
+            QVERIFY2(std::abs(value(*world, "r/j/position") - 0.2) < 1e-3 && std::abs(value(*world, "r/j/rate")) < 1e-2,
+                     qPrintable(QString("%1, %2").arg(value(*world, "r/j/position")).arg(value(*world, "r/j/rate"))));
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(StopsTest)
+#include "stops_test.moc"
