@@ -98,7 +98,7 @@ const World kWorlds[] = {
      "  Hinge flex { Parent=hull Child=mast Anchor=0,0,0.35 Axis=1,0,0 Stiffness=3 Damping=0.01 LowStop=-20deg HighStop=20deg } "
      "}\n"
      "Grid g { Config=Cart Count=2,2 Spacing=0.8 Pos=0,0,0.1 HPR=20,4,3 }\n",
-     "3", "fe88382da701fd45"},
+     "3", "63877a0d16b974b2"},
 };
 
 } // namespace

@@ -110,6 +110,40 @@ private Q_SLOTS:
         }
     }
 
+    void suspensionBottoms_data() {
+        QTest::addColumn<double>("tick");
+        for (const double tick : {0.001, 0.002, 0.005, 0.01, 0.02, 0.03}) QTest::addRow("%g ms", 1e3 * tick) << tick;
+    }
+    /// A cart that falls on springs with 10 mm of travel, which hold it at 8.2 mm: it is not thrown back from beyond that.
+    void suspensionBottoms() {
+        QFETCH(double, tick);
+        Scene scene(tick);
+        scene.scenery({plane("floor")});
+        auto config = std::make_shared<RobotConfigSpec>();
+        config->bodies.push_back(body("hull", at(0, 0, 0.2), massOfBox(10, {0.5, 0.3, 0.1}), {}));
+        for (const double x : {-0.2, 0.2})
+            for (const double y : {-0.2, 0.2}) {
+                const int wheel = static_cast<int>(config->bodies.size());
+                const std::string name = "wheel" + std::to_string(wheel);
+                config->bodies.push_back(body(name, at(x, y, 0.06), massOfSphere(0.4, 0.06), {sphere("g", 0.06)}));
+                JointSpec spec = joint("s" + std::to_string(wheel), JointType::Suspension, 0, wheel, {x, y, 0.06}, Vec3::UnitZ());
+                spec.axis2 = Vec3::UnitY();
+                spec.stiffness = 3000;
+                spec.travel = 0.01;
+                config->joints.push_back(spec);
+            }
+        scene.robot("cart", at(0, 0, 0.3), config);
+        auto world = scene.build();
+        QVERIFY(world);
+        double highest = 0;
+        for (int i = 0; i * tick < 1.2; ++i) {
+            QVERIFY(world->tick().ok());
+            if (i * tick > 0.35) highest = std::max(highest, position(*world, "cart/hull").z()); // it lands at 0.247 s
+        }
+        // From the end of the travel up to as far above the rest at 8.2 mm: 6.4 mm below the start pose.
+        QVERIFY2(highest > 0.1925 && highest < 0.1945, qPrintable(QString::number(highest)));
+    }
+
     void startsOutside_data() {
         QTest::addColumn<int>("type");
         QTest::addColumn<double>("tick");

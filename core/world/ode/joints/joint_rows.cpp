@@ -17,6 +17,7 @@ constexpr double kSameStop = 1e-9;          // m or rad
 constexpr double kLeastGive = 1e-9;         // N m s
 constexpr double kUpright = 1e-6;           // sine of a tilt without a direction
 constexpr double kPressed = 0.3;            // cosine between a joint's motion and a contact's normal
+constexpr double kLeastSlide = 1e-5;        // m, of a suspension that lands: its row is relative to that
 constexpr double kStopStiffness = 1000;     // of a suspension beyond its travel, in masses per tick squared
 
 /// Adds the multiple of a full turn that brings `angle` closest to the angle expected from the rate.
@@ -254,15 +255,20 @@ void JointRows::updateSpring(OdeJoint& joint, double h) const {
 }
 
 /// The spring along a suspension's axis is ODE's own row, which has no place for the force that only depends on the old rate. Beyond
-/// its travel a much stiffer spring is added to it: a row that only held it there would hold it for good.
+/// its travel a much stiffer spring is added to it: a row that only held it there would hold it for good. Where it reaches the end of its
+/// travel within the tick, it lands there.
 void JointRows::updateSuspension(OdeJoint& joint, double h, double errorReduction) const {
     const Vec3 axis = carried(joint, joint.slideAxis);
-    const double slide = axis.dot(anchorGap(joint)), beyond = std::abs(slide) - joint.travel;
-    if (joint.travel > 0 && beyond > 0) {
-        const double stiffness = kStopStiffness * joint.inertia[0] / (h * h), give = h * stiffness / errorReduction;
-        const double force = joint.stiffness * joint.travel + stiffness * beyond;
-        return setSuspensionRow(joint.id, h * force / (give * std::abs(slide)), give);
+    const double slide = axis.dot(anchorGap(joint)), past = std::abs(slide) - joint.travel;
+    joint.beyond = joint.travel > 0 && past > 0 ? std::copysign(past, slide) : 0;
+    const double stiffness = kStopStiffness * joint.inertia[0] / (h * h), stopGive = h * stiffness / errorReduction;
+    if (joint.beyond != 0) {
+        const double force = joint.stiffness * joint.travel + stiffness * past;
+        return setSuspensionRow(joint.id, h * force / (stopGive * std::abs(slide)), stopGive);
     }
+    const double next = slide + h * axis.dot(anchorSpeed(joint));
+    if (joint.travel > 0 && std::abs(next) > joint.travel && std::abs(slide) > kLeastSlide)
+        return setSuspensionRow(joint.id, 1 - std::copysign(joint.travel, next) / slide, stopGive);
     const double inertia = (isHeld(joint, -slide) ? joint.heldInertia : joint.inertia)[0];
     const SpringRow row = springRow(joint.stiffness, joint.damping, inertia, h);
     const double give = std::max(row.give, 1e-9);

@@ -17,14 +17,19 @@ double outside(double position, double low, double high) {
     return position < low ? position - low : std::max(0.0, position - high);
 }
 
-/// ODE's own stop: a slider's is in the joint itself.
+/// That of a slider is in the joint itself; that of a suspension is its spring, which is stiff beyond its travel.
+bool isOwn(JointType type) { return type == JointType::Slider || type == JointType::Suspension; }
+
 void setErrorReduction(dJointID joint, JointType type, int axis, double value) {
     if (type == JointType::Slider) dJointSetSliderParam(joint, dParamStopERP, value);
+    else if (type == JointType::Suspension) dJointSetHinge2Param(joint, dParamSuspensionERP, value);
     else setRow(joint, type, axis, dParamStopERP, value);
 }
 
 double errorReduction(dJointID joint, JointType type, int axis) {
-    return type == JointType::Slider ? dJointGetSliderParam(joint, dParamStopERP) : rowOf(joint, type, axis, dParamStopERP);
+    if (type == JointType::Slider) return dJointGetSliderParam(joint, dParamStopERP);
+    if (type == JointType::Suspension) return dJointGetHinge2Param(joint, dParamSuspensionERP);
+    return rowOf(joint, type, axis, dParamStopERP);
 }
 
 } // namespace
@@ -32,12 +37,14 @@ double errorReduction(dJointID joint, JointType type, int axis) {
 void PushedStops::setUp() {
     m_stopped.clear();
     for (std::uint32_t i = 0; i < m_objects.joints.size(); ++i)
-        if (m_objects.joints[i].stop) m_stopped.push_back(i);
+        if (m_objects.joints[i].stop || m_objects.joints[i].travel > 0) m_stopped.push_back(i);
 }
 
 PushedStops::Beyond PushedStops::beyond(const OdeJoint& joint, int axis) const {
-    const double over = axis == 0 ? outside(joint.position, joint.lowStop, joint.highStop)
-                                  : outside(joint.position2, joint.lowStop2, joint.highStop2);
+    const bool isSuspension = joint.type == JointType::Suspension;
+    const double over = isSuspension ? joint.beyond
+                        : axis == 0  ? outside(joint.position, joint.lowStop, joint.highStop)
+                                     : outside(joint.position2, joint.lowStop2, joint.highStop2);
     if (std::abs(over) < kBeyond) return {0, 0};
     const OdeBody& c = m_objects.bodies[joint.child];
     const OdeBody* p = joint.parent == kNone ? nullptr : &m_objects.bodies[joint.parent];
@@ -47,8 +54,8 @@ PushedStops::Beyond PushedStops::beyond(const OdeJoint& joint, int axis) const {
         const Vec3 parent = p ? turn(p->r, joint.parentAxis) : joint.parentAxis;
         return {over, spin.dot(parent.cross(turn(c.r, joint.childAxis)).normalized())};
     }
-    const Vec3 way = p ? turn(p->r, joint.parentAxis) : joint.parentAxis;
-    if (joint.type != JointType::Slider) return {over, spin.dot(way)};
+    const Vec3 own = isSuspension ? joint.slideAxis : joint.parentAxis, way = p ? turn(p->r, own) : own;
+    if (!isOwn(joint.type)) return {over, spin.dot(way)};
     const Vec3 lever = turn(c.r, joint.childAnchor), speed = vec(c.v) + vec(c.w).cross(lever);
     if (!p) return {over, way.dot(speed)};
     return {over, way.dot(Vec3(speed - vec(p->v) - vec(p->w).cross(vec(c.p) + lever - vec(p->p))))};
@@ -69,7 +76,7 @@ std::span<const std::uint32_t> PushedStops::find() {
 }
 
 void PushedStops::hold(const OdeJoint& joint, int axis) {
-    const dJointID id = joint.type == JointType::Slider ? joint.id : joint.stop;
+    const dJointID id = isOwn(joint.type) ? joint.id : joint.stop;
     m_held.push_back({id, joint.type, axis, errorReduction(id, joint.type, axis)});
     setErrorReduction(id, joint.type, axis, 0);
 }

@@ -115,6 +115,7 @@ struct OdeJoint {
     Vec3 slideAxis = Vec3::UnitZ();   ///< of a suspension, in the parent's axes
     Vec3 secondAxis = Vec3::UnitZ();  ///< of a universal joint, in the child's axes
     double stiffness = 0, damping = 0, travel = 0, rest = 0;
+    double beyond = 0; ///< of a suspension: how far it was past its travel before the tick, m; negative: past the lower end
     // Of a universal joint about its second axis:
     double stiffness2 = 0, damping2 = 0, lowStop2 = 0, highStop2 = 0, position2 = 0, rate2 = 0, lastRate2 = 0;
     // Of JointInertias, along each free axis (a suspension's first is `slideAxis`): 0 until needed.
