@@ -281,6 +281,47 @@ private Q_SLOTS:
         }
     }
 
+    /// Arms whose masses are off their axles keep the ratio as balanced wheels do.
+    void gearsOfUnbalancedArms_data() {
+        QTest::addColumn<double>("tick");
+        QTest::addColumn<double>("ratio");
+        for (const double tick : {0.002, 0.01, 0.03})
+            for (const double ratio : {-0.5, 2.0}) QTest::addRow("ratio %g, %g ms", ratio, 1e3 * tick) << tick << ratio;
+    }
+    void gearsOfUnbalancedArms() {
+        QFETCH(double, tick);
+        QFETCH(double, ratio);
+        for (const bool isFree : {false, true}) {
+            Scene scene(tick);
+            scene.spec->settings.gravity = Vec3::Zero();
+            auto config = std::make_shared<RobotConfigSpec>();
+            config->bodies.push_back(block("base", {0, 0, 1}, 20, 4));
+            config->bodies.push_back(block("one", {0.1, 0, 1}, 0.25, 1e-3));   // axle at 0, 0
+            config->bodies.push_back(block("two", {0.3, 0.06, 1}, 0.2, 1e-3)); // axle at 0.3, 0
+            config->joints.push_back(joint("first", JointType::Hinge, 0, 1, {0, 0, 1}, Vec3::UnitZ()));
+            config->joints.push_back(joint("second", JointType::Hinge, 0, 2, {0.3, 0, 1}, Vec3::UnitZ()));
+            if (!isFree) config->joints.push_back(joint("hold", JointType::Fixed, kWorldBody, 0, {0, 0, 1}, Vec3::UnitZ()));
+            config->gears.push_back(gear(0, 1, ratio));
+            config->devices.push_back(row("motor", "second"));
+            scene.robot("r", {}, config);
+            auto world = scene.build();
+            QVERIFY(world);
+            command(*world, "r/motor", 20 / std::max(1.0, ratio), 0.01, 1);
+            double rates = 0, positions = 0;
+            for (int i = 0; i * tick < 3; ++i) {
+                QVERIFY(world->tick().ok());
+                if (i * tick < 1) continue;
+                const double w1 = value(*world, "r/first/rate"), w2 = value(*world, "r/second/rate");
+                rates = std::max(rates, std::abs(w1 / (ratio * w2) - 1));
+                positions =
+                    std::max(positions, std::abs(value(*world, "r/first/position") - ratio * value(*world, "r/second/position")));
+            }
+            QVERIFY2(rates < 1e-3 && positions < 1e-3,
+                     qPrintable(QString("rates off by %1, positions by %2").arg(rates).arg(positions)));
+            QVERIFY(std::abs(value(*world, "r/second/rate")) > 5);
+        }
+    }
+
     void commonBody_data() {
         QTest::addColumn<bool>("firstIsTurned");
         QTest::addColumn<bool>("secondIsTurned");

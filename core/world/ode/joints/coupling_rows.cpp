@@ -11,7 +11,7 @@ namespace trundle {
 
 namespace {
 
-constexpr double kGain = 1e-9; // of ODE's own correction of the distance
+constexpr double kGain = 1e-9; // of ODE's own correction of a spring's length
 constexpr double kApart = OdeCoupling::kApart;
 constexpr double kLeastSpringGive = 1e-9;         // N s/m
 constexpr double kShort = 1e-9;             // m: a spring without a direction
@@ -28,12 +28,13 @@ void attach(OdeCoupling& c, const std::vector<OdeBody>& bodies) {
 }
 
 /// Has a force's row reach a rate (m/s) in a step, along its direction through a point. ODE allows no negative distance, so its ends are
-/// on the side where they are to part.
-void setRow(OdeCoupling& c, const Vec3& point, double rate, double h) {
-    const Vec3 end = point + (rate < 0 ? -kApart : kApart) * c.direction;
+/// on the side where they are to part. `gain`: of ODE's own correction.
+void setRow(OdeCoupling& c, const Vec3& point, double rate, double h, double gain) {
+    c.side = rate < 0 ? -1 : 1;
+    const Vec3 end = point + c.side * kApart * c.direction;
     dJointSetDBallAnchor1(c.id, end.x(), end.y(), end.z());
     dJointSetDBallAnchor2(c.id, point.x(), point.y(), point.z());
-    c.shift = std::abs(rate) * h / kGain;
+    c.shift = std::abs(rate) * h / gain;
     dJointSetDBallDistance(c.id, kApart + c.shift);
 }
 
@@ -129,7 +130,7 @@ OdeCoupling CouplingRows::gearOf(const GearSpec& spec, const ActorDef& def, std:
     if (gear.isTorque) {
         dJointSetAMotorNumAxes(gear.id, 1);
         dJointSetAMotorParam(gear.id, dParamFMax, dInfinity);
-    } else dJointSetDBallParam(gear.id, dParamERP, kGain);
+    }
     return gear;
 }
 
@@ -184,7 +185,7 @@ void CouplingRows::updateSpring(OdeCoupling& spring, double h) const {
     const double rate = spring.direction.dot(speedOf(spring.first, first) - speedOf(spring.second, second));
     const SpringRow row = springRow(spring.stiffness, spring.damping, spring.inertia, h);
     const double give = std::max(row.give, kLeastSpringGive);
-    setRow(spring, second, -(spring.stiffness * (length - spring.restLength) + row.carry * rate) / give, h);
+    setRow(spring, second, -(spring.stiffness * (length - spring.restLength) + row.carry * rate) / give, h, kGain);
     dJointSetDBallParam(spring.id, dParamCFM, 1 / give);
 }
 
@@ -197,7 +198,9 @@ void CouplingRows::updateGear(OdeCoupling& gear, double h, double errorReduction
         dJointSetAMotorParam(gear.id, dParamVel, rate);
         return;
     }
-    setRow(gear, pointOf(gear.common, gear.point), rate, h);
+    // ODE corrects it as it does joints, for which JointDrift puts the bodies aside: that is no motion of the gear.
+    dJointSetDBallParam(gear.id, dParamERP, errorReduction);
+    setRow(gear, pointOf(gear.common, gear.point), rate, h, errorReduction);
 }
 
 void CouplingRows::measure() {

@@ -114,7 +114,8 @@ template <class RateOf> Vec3 JointDrift::gapOf(const Edge& edge, const OdeJoint&
     return h * gap;
 }
 
-void JointDrift::shift(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints, double h, double gain) {
+void JointDrift::shift(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints, std::span<const OdeCoupling> couplings,
+                       double h, double gain) {
     if (gain < kLeastGain) return; // no other body gives way
     for (Edge& edge : m_edges) {
         if (!dBodyIsEnabled(bodies[edge.to].id)) continue;
@@ -129,9 +130,26 @@ void JointDrift::shift(std::span<const OdeBody> bodies, std::span<const OdeJoint
     }
     for (const std::uint32_t i : m_jointed)
         if (!m_aside[i].isZero(0) && dBodyIsEnabled(bodies[i].id)) move(bodies[i], m_aside[i]);
+    holdLevers(couplings, h, gain);
+}
+
+/// A gear's row acts along a line near its second body. If the first one is put aside of that, its lever is not that of its axle any more;
+/// the rate that this would make is taken from the row, whose own correction has the same gain.
+void JointDrift::holdLevers(std::span<const OdeCoupling> couplings, double h, double gain) {
+    m_rows.clear();
+    for (const OdeCoupling& c : couplings) {
+        if (!c.isGear || c.isTorque || c.released) continue;
+        const Vec3 apart = (c.second == kNone ? Vec3(Vec3::Zero()) : m_aside[c.second]) - m_aside[c.first];
+        if (apart.isZero(0)) continue;
+        m_rows.push_back({c.id, dJointGetDBallDistance(c.id)});
+        const double rate = c.side * m_rates[c.first].dot(apart.cross(c.direction));
+        dJointSetDBallDistance(c.id, m_rows.back().distance + rate * h / gain);
+    }
 }
 
 void JointDrift::shiftBack(std::span<const OdeBody> bodies) {
+    for (const Row& row : m_rows) dJointSetDBallDistance(row.id, row.distance);
+    m_rows.clear();
     for (const std::uint32_t i : m_jointed)
         if (!m_aside[i].isZero(0) && dBodyIsEnabled(bodies[i].id)) move(bodies[i], -m_aside[i]);
 }

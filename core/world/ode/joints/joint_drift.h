@@ -20,7 +20,8 @@ public:
     /// What touches something in this tick.
     void start(std::span<const OdeBody> bodies, std::span<const OdeContact> contacts);
     /// Before and after the solver, of what is enabled; `gain`: share of a gap that the solver closes in a tick.
-    void shift(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints, double h, double gain);
+    void shift(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints, std::span<const OdeCoupling> couplings,
+               double h, double gain);
     void shiftBack(std::span<const OdeBody> bodies);
     static constexpr double kOpen = 1e-6; ///< m: a joint may be off by so much
     /// After the solver: of each joint that was opened farther than `open`, since bodies turned otherwise than expected, one body.
@@ -39,7 +40,15 @@ private:
     template <class RateOf>
     [[nodiscard]] Vec3 gapOf(const Edge& edge, const OdeJoint& joint, double h, const RateOf& rateOf) const;
 
+    void holdLevers(std::span<const OdeCoupling> couplings, double h, double gain);
+    /// The row of a gear, and its distance without that (m).
+    struct Row {
+        dJointID id;
+        double distance;
+    };
+
     std::vector<Edge> m_edges;
+    std::vector<Row> m_rows;
     std::vector<std::uint32_t> m_jointed;       ///< bodies
     std::vector<Vec3> m_last, m_rates, m_aside; ///< by body
     std::vector<bool> m_whole;                  ///< by body: turns by the whole angle, not by its tangent

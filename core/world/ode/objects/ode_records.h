@@ -134,7 +134,8 @@ struct OdeCoupling {
     std::unique_ptr<dJointFeedback> feedback;
     Vec3 direction = Vec3::UnitZ(); ///< of the row in this tick, world; on the first body
     double shift = 0;               ///< m: how far the ends of a force's row are to part beyond kApart
-    static constexpr double kApart = 1;
+    double side = 1;                ///< of the row, on which that of the first body is: along the direction or against it
+    static constexpr double kApart = 1000;
     CouplingState state;
     // Of a spring: its ends in the axes of each body, from its centre of mass.
     Vec3 firstAnchor = Vec3::Zero(), secondAnchor = Vec3::Zero();

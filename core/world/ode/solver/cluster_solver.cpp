@@ -66,7 +66,7 @@ void ClusterSolver::seed() const { seedOrders(randomBits(m_settings.seed, 0, m_t
 
 void ClusterSolver::stepAllQuickly(double h) {
     seed();
-    m_drift.shift(m_objects.bodies, m_objects.joints, h, m_settings.errorReduction);
+    m_drift.shift(m_objects.bodies, m_objects.joints, m_objects.couplings, h, m_settings.errorReduction);
     m_world.useOneThread(true); // its random numbers are of the thread
     m_world.quickStep(h);
     m_drift.shiftBack(m_objects.bodies);
@@ -76,7 +76,7 @@ void ClusterSolver::stepAllQuickly(double h) {
 /// an assertion in the middle of its work.
 bool ClusterSolver::tryExactly(double h) {
     const std::uint64_t before = odeMessages();
-    m_drift.shift(m_objects.bodies, m_objects.joints, h, m_settings.errorReduction);
+    m_drift.shift(m_objects.bodies, m_objects.joints, m_objects.couplings, h, m_settings.errorReduction);
     bool whole = true;
     try {
         m_world.step(h);
