@@ -50,7 +50,7 @@ bool LevelGround::isBelow(const Vec2& point, double inside) const {
 void GroundSearch::add(std::uint32_t geom, const GeomSpec& spec, const Pose& pose) {
     const Mat3 axes = pose.rotation.toRotationMatrix();
     const bool plane = spec.shape == GeomShape::Plane;
-    if (!isUpright(axes) || (!plane && spec.shape != GeomShape::Box)) return;
+    if (!isUpright(axes) || (!plane && spec.shape != GeomShape::Box) || (plane && axes(2, 2) < 0)) return;
     const double height = pose.position.z() + (plane ? 0 : spec.size.z() / 2);
     const PlanarPose at{pose.position.head<2>(), axes(0, 0), axes(1, 0)};
     const LevelGround::Slab slab{geom, spec.surface, at, plane ? Vec2(0, 0) : Vec2(spec.size.head<2>() / 2)};
@@ -76,6 +76,7 @@ std::optional<NotWheeled> whyNotScenery(const GeomSpec& geom, const Pose& pose, 
     switch (geom.shape) {
     case GeomShape::Plane:
         if (!isUpright(pose.rotation.toRotationMatrix())) return no("is a plane that slopes");
+        if (pose.rotation.toRotationMatrix()(2, 2) < 0) return no("is a plane that points down");
         return {};
     case GeomShape::Heightfield: return no("is a height map");
     case GeomShape::Mesh:

@@ -371,6 +371,16 @@ private Q_SLOTS:
         QVERIFY2(said.isEmpty() ? refusal.empty() : has(refusal, "thing: geom block " + said), refusal.c_str());
     }
 
+    void aPlaneThatPointsDownIsNoGround() {
+        Scene scene = wheeledScene();
+        scene.robot("r", {}, small());
+        scene.scenery({plane("ceiling", at(0, 0, 3, degrees(0, 0, 180)), 1)}, {}, "thing");
+        QVERIFY(has(refusalOf(scene), "thing: geom ceiling is a plane that points down"));
+        scene.spec->statics.clear();
+        scene.scenery({plane("floor", at(0, 0, 0, degrees(0, 0, 180)), 1)});
+        QVERIFY(has(refusalOf(scene), "there is no level ground"));
+    }
+
     /// A step is a wall where it is higher than the axle of the largest wheel of all.
     void stepsByTheLargestWheel() {
         const auto refusal = [](double step, double scale, bool withLarger) {
