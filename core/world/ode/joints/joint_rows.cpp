@@ -63,6 +63,20 @@ void setSuspensionRow(dJointID suspension, double errorReduction, double give) {
     dJointSetHinge2Param(suspension, dParamSuspensionCFM, 1 / give);
 }
 
+/// Beyond its travel a much stiffer spring is added to that of a suspension: a row that only held it there would hold it for good. Where it
+/// reaches the end within the tick, it lands there. False: it does not reach it. `slide`: m, at `rate`.
+bool setEndOfTravel(OdeJoint& joint, double slide, double rate, double h, double errorReduction) {
+    const double past = std::abs(slide) - joint.travel, next = slide + h * rate;
+    joint.beyond = joint.travel > 0 && past > 0 ? std::copysign(past, slide) : 0;
+    const bool lands = joint.travel > 0 && std::abs(next) > joint.travel && std::abs(slide) > kLeastSlide;
+    if (joint.beyond == 0 && !lands) return false;
+    const double stiffness = kStopStiffness * joint.inertia[0] / (h * h), give = h * stiffness / errorReduction;
+    const double force = joint.stiffness * joint.travel + stiffness * past;
+    const double gain = joint.beyond != 0 ? h * force / (give * std::abs(slide)) : 1 - std::copysign(joint.travel, next) / slide;
+    setSuspensionRow(joint.id, gain, give);
+    return true;
+}
+
 /// The stop of a ball acts about the axis about which the child's axis is tilted from the parent's.
 void updateCone(OdeJoint& joint, const std::vector<OdeBody>& bodies, double h) {
     const Vec3 parent = (joint.parent == kNone ? joint.parentAxis : turn(bodies[joint.parent].r, joint.parentAxis)),
@@ -254,21 +268,11 @@ void JointRows::updateSpring(OdeJoint& joint, double h) const {
     }
 }
 
-/// The spring along a suspension's axis is ODE's own row, which has no place for the force that only depends on the old rate. Beyond
-/// its travel a much stiffer spring is added to it: a row that only held it there would hold it for good. Where it reaches the end of its
-/// travel within the tick, it lands there.
+/// The spring along a suspension's axis is ODE's own row, which has no place for the force that only depends on the old rate.
 void JointRows::updateSuspension(OdeJoint& joint, double h, double errorReduction) const {
     const Vec3 axis = carried(joint, joint.slideAxis);
-    const double slide = axis.dot(anchorGap(joint)), past = std::abs(slide) - joint.travel;
-    joint.beyond = joint.travel > 0 && past > 0 ? std::copysign(past, slide) : 0;
-    const double stiffness = kStopStiffness * joint.inertia[0] / (h * h), stopGive = h * stiffness / errorReduction;
-    if (joint.beyond != 0) {
-        const double force = joint.stiffness * joint.travel + stiffness * past;
-        return setSuspensionRow(joint.id, h * force / (stopGive * std::abs(slide)), stopGive);
-    }
-    const double next = slide + h * axis.dot(anchorSpeed(joint));
-    if (joint.travel > 0 && std::abs(next) > joint.travel && std::abs(slide) > kLeastSlide)
-        return setSuspensionRow(joint.id, 1 - std::copysign(joint.travel, next) / slide, stopGive);
+    const double slide = axis.dot(anchorGap(joint));
+    if (setEndOfTravel(joint, slide, axis.dot(anchorSpeed(joint)), h, errorReduction)) return;
     const double inertia = (isHeld(joint, -slide) ? joint.heldInertia : joint.inertia)[0];
     const SpringRow row = springRow(joint.stiffness, joint.damping, inertia, h);
     const double give = std::max(row.give, 1e-9);

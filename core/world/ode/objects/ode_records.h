@@ -114,8 +114,7 @@ struct OdeJoint {
     double lowStop = 0, highStop = 0; ///< of a ball: how far `childAxis` tilts from `parentAxis`
     Vec3 slideAxis = Vec3::UnitZ();   ///< of a suspension, in the parent's axes
     Vec3 secondAxis = Vec3::UnitZ();  ///< of a universal joint, in the child's axes
-    double stiffness = 0, damping = 0, travel = 0, rest = 0;
-    double beyond = 0; ///< of a suspension: how far it was past its travel before the tick, m; negative: past the lower end
+    double stiffness = 0, damping = 0, travel = 0, rest = 0, beyond = 0; ///< beyond: m, past the travel; -: past its lower end
     // Of a universal joint about its second axis:
     double stiffness2 = 0, damping2 = 0, lowStop2 = 0, highStop2 = 0, position2 = 0, rate2 = 0, lastRate2 = 0;
     // Of JointInertias, along each free axis (a suspension's first is `slideAxis`): 0 until needed.
@@ -133,9 +132,8 @@ struct OdeCoupling {
     dJointID id = nullptr;
     std::unique_ptr<dJointFeedback> feedback;
     Vec3 direction = Vec3::UnitZ(); ///< of the row in this tick, world; on the first body
-    double shift = 0;               ///< m: how far the ends of a force's row are to part beyond kApart
-    double side = 1;                ///< of the row, on which that of the first body is: along the direction or against it
-    static constexpr double kApart = 1000;
+    static constexpr double kApart = 1000; ///< m
+    double shift = 0, side = 1;            ///< m, by which a force's ends are to part beyond that; side of the first one: 1, -1
     CouplingState state;
     // Of a spring: its ends in the axes of each body, from its centre of mass.
     Vec3 firstAnchor = Vec3::Zero(), secondAnchor = Vec3::Zero();
