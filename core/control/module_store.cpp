@@ -204,7 +204,7 @@ void loadModules(const ExperimentSpec& experiment, const Registry& registry, con
 
 bool descriptionChanged(const ExperimentSpec& experiment, const Registry& registry) {
     return std::ranges::any_of(experiment.modules, [&](const ModuleSpec& spec) {
-        if (spec.library.empty()) return false;
+        if (spec.library.empty()) return true;
         return contentOf(kindsFrom(spec.library, registry)) !=
                contentOf(describedKinds(spec.library).value_or(std::vector<Kind>()));
     });

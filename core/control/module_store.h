@@ -60,7 +60,8 @@ void loadModules(const ExperimentSpec& experiment, const Registry& registry, con
 /// The same into a store, in this process.
 void loadModules(const ExperimentSpec& experiment, const Registry& registry, ModuleStore& store, Diagnostics& diagnostics);
 
-/// Whether the description file of any module of the experiment now differs from `registry`, which was filled from it.
+/// Whether the description file of any module of the experiment now differs from `registry`, which was filled from it. Also if a module
+/// was not found or did not load: what was wrong with it may have been corrected.
 [[nodiscard]] bool descriptionChanged(const ExperimentSpec& experiment, const Registry& registry);
 
 /// Loads `library` (its code runs) and writes its description to `out`. Used by `trundle-cli describe --module`.

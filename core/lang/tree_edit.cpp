@@ -263,6 +263,41 @@ std::optional<TextEdit> besideAssignments(const Tree& tree, const BlockItem* blo
     return std::nullopt;
 }
 
+/// The start of the line of the first item, or of the comments directly above it.
+std::uint32_t startWithComments(const Tree& tree, const Item& first) {
+    const auto bytes = tree.source().bytes();
+    const auto& tokens = tree.tokens();
+    auto token = std::lower_bound(tokens.begin(), tokens.end(), first.range.begin,
+                                  [](const Token& t, std::uint32_t offset) { return t.range.begin < offset; });
+    std::uint32_t start = lineStart(bytes, first.range.begin);
+    for (int lineEnds = 0; token != tokens.begin() && lineEnds < 2;) {
+        --token;
+        if (token->kind == TokenKind::LineEnd) ++lineEnds;
+        if (token->kind != TokenKind::LineComment && token->kind != TokenKind::BlockComment) continue;
+        lineEnds = 0;
+        start = lineStart(bytes, token->range.begin);
+    }
+    return start == 0 && tokens.front().kind == TokenKind::Bom ? tokens.front().range.end : start;
+}
+
+/// The first setting of a file: behind the directives and Params at its top, or else in front of all items. Nothing if there are no
+/// other items, or if their line does not end there.
+std::optional<TextEdit> atTopOfFile(const Tree& tree, const EditStyle& style, const std::string& line) {
+    const auto& items = tree.items();
+    const auto other = std::find_if(items.begin(), items.end(), [](const Item& item) {
+        return !item.as<ImportItem>() && !item.as<ModuleItem>() && !item.as<ParamItem>();
+    });
+    if (other == items.end()) return std::nullopt;
+    if (other == items.begin()) {
+        const std::uint32_t start = startWithComments(tree, *other);
+        return at(tree, start, start, line + style.lineEnd + style.lineEnd);
+    }
+    const auto bytes = tree.source().bytes();
+    const std::uint32_t end = behindComments(tree, std::prev(other)->range.end);
+    if (!isLineEnd(bytes, blanksAfter(bytes, end))) return std::nullopt;
+    return at(tree, end, end, style.lineEnd + line);
+}
+
 } // namespace
 
 TextEdit editAddAssignment(const Tree& tree, const BlockItem* block, std::string_view key, std::string_view text) {
@@ -270,6 +305,9 @@ TextEdit editAddAssignment(const Tree& tree, const BlockItem* block, std::string
     const Slot slot = slotFor(tree, block, style);
     const std::string line = std::string(key) + (spacedEquals(tree, block, style) ? " = " : "=") + std::string(text);
     if (const auto beside = besideAssignments(tree, block, slot, style, line)) return *beside;
+    const auto isSetting = [](const Item& item) { return item.as<AssignmentItem>() != nullptr; };
+    if (!block && std::ranges::none_of(tree.items(), isSetting))
+        if (const auto first = atTopOfFile(tree, style, line)) return *first;
     return at(tree, slot.place, std::max(slot.end, slot.place),
               slot.before + (slot.ownLine ? slot.indent : "") + line + slot.behind);
 }

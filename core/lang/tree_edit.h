@@ -23,7 +23,8 @@ namespace trundle {
 /// Replaces a name (block name, word value, key).
 [[nodiscard]] TextEdit editReplace(const Tree& tree, TextRange range, std::string_view newText);
 /// Adds `Key = text` as the last assignment of a block (nullptr: of the file): on the same line if the block is written on one
-/// line, before its blocks if it has no assignment, otherwise on a new line with the indent of its neighbours.
+/// line, before its blocks if it has no assignment, otherwise on a new line with the indent of its neighbours. The first one of a
+/// file is put behind the directives and Params at its top, or before its first item.
 [[nodiscard]] TextEdit editAddAssignment(const Tree& tree, const BlockItem* block, std::string_view key, std::string_view text);
 /// Adds `Param name = text` after the last Param of a block, or as its first item.
 [[nodiscard]] TextEdit editAddParam(const Tree& tree, const BlockItem& block, std::string_view name, std::string_view text);

@@ -35,8 +35,13 @@ SaveEnvironment DocumentSaving::saveEnvironment() {
 Status DocumentSaving::save() {
     if (!m_state.isOpen()) return Error{Code::NoDocument, "nothing is open"};
     if (m_state.isNew()) return Error{Code::FileUnwritable, m_state.name + " has no file yet; use Save As"};
+    return save(m_state.files.modified());
+}
+
+Status DocumentSaving::save(const std::vector<std::string>& modified) {
+    if (!m_state.isOpen()) return Error{Code::NoDocument, "nothing is open"};
     if (m_parts.access.isReadOnly()) return Error{Code::FileUnwritable, m_parts.access.readOnlyMessage()};
-    const Status saved = ProjectSave(m_state.files, saveEnvironment()).save();
+    const Status saved = ProjectSave(m_state.files, saveEnvironment()).save(modified);
     m_state.history.endMerge();
     m_parts.texts.checkModified();
     m_state.journal.writeNow();

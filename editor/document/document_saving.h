@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include <QObject>
 
@@ -36,6 +37,7 @@ public:
     /// Writes every modified file atomically, or none if one of them cannot be written. The error gives the file and the
     /// reason: a sample, a read-only file, or a file whose content on disk was not loaded here.
     [[nodiscard]] Status save();
+    [[nodiscard]] Status save(const std::vector<std::string>& modified); ///< the same for some of the modified files
     /// Writes the opened file to another path and continues with it there; the history is kept. Imported files that would not
     /// be found from the new location, and edited samples, are written next to it, where its imports find them; meshes,
     /// images and modules are copied likewise. notice() lists them. Fails, having written nothing, if one of those files

@@ -1,14 +1,32 @@
 #include "editor/document/project_opening.h"
 
+#include <QFileInfo>
+#include <QSet>
+
 #include "editor/document/document_edits.h"
 #include "editor/document/document_loading.h"
 #include "editor/document/document_state.h"
 #include "editor/document/document_texts.h"
 #include "editor/document/project_access.h"
+#include "editor/widgets/strings.h"
 #include "project/journal/state_folder.h"
 #include "project/loading/search.h"
 
 namespace trundle {
+namespace {
+
+/// Whether a file is one of those that an experiment uses, and no experiment itself: a program, a mesh, a picture, a table. Other
+/// suffixes than .sim are allowed.
+bool isOfOtherFormat(const QString& path) {
+    static const QSet<QString> suffixes{
+        u"py"_qs,  u"c"_qs,   u"cc"_qs,  u"cpp"_qs,  u"cxx"_qs, u"h"_qs,   u"hh"_qs,  u"hpp"_qs,  u"so"_qs,   u"dylib"_qs,
+        u"md"_qs,  u"csv"_qs, u"log"_qs, u"json"_qs, u"xml"_qs, u"zip"_qs, u"pdf"_qs, u"urdf"_qs, u"stl"_qs,  u"obj"_qs,
+        u"ply"_qs, u"dae"_qs, u"glb"_qs, u"gltf"_qs, u"png"_qs, u"jpg"_qs, u"svg"_qs, u"mp4"_qs,  u"jpeg"_qs, u"webp"_qs};
+    const QFileInfo file(path);
+    return file.isFile() && suffixes.contains(file.suffix().toLower());
+}
+
+} // namespace
 
 ProjectOpening::ProjectOpening(DocumentState& state, DocumentTexts& texts, DocumentLoading& loading, ProjectAccess& access,
                                DocumentEdits& edits)
@@ -28,6 +46,14 @@ Status ProjectOpening::open(const std::string& path) {
 
 void ProjectOpening::openLater(const std::string& path) {
     const std::string absolute = canonicalPath(path);
+    if (const QString file = toQString(absolute); isOfOtherFormat(file)) {
+        m_state.reader.cancel();
+        const QString reason =
+            tr("%1 is not an experiment, a robot or an arena: those are texts in files named *.sim or *.txt.").arg(file);
+        QMetaObject::invokeMethod(
+            this, [this, file, reason] { Q_EMIT failed(file, reason); }, Qt::QueuedConnection);
+        return;
+    }
     OpenOptions options = m_state.options;
     options.shownFromProject = true;
     m_state.reader.open(absolute, options, [this, absolute](const ProjectReader::Loaded& loaded) {

@@ -5,7 +5,10 @@
 #include "editor/document/structure_edits.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
+
+#include <QRegularExpression>
 
 #include "editor/document/document.h"
 #include "editor/document/prepared_edit.h"
@@ -13,6 +16,7 @@
 #include "editor/widgets/strings.h"
 #include "model/config_blocks.h"
 #include "model/dotted_path.h"
+#include "project/loading/import_path.h"
 
 namespace trundle {
 
@@ -42,6 +46,13 @@ std::string shippedPath(const EditTarget& target) {
     return target.definition.empty() ? pathOfConfig(*target.config) : target.definition;
 }
 
+/// Whether no file but the opened one uses a config. Of a config in another file at most once, and in the project: what uses a file
+/// elsewhere is not known.
+bool isOnlyInOpened(const LoadedProject& loaded, const Part& config, const EditTarget& target) {
+    if (std::ranges::any_of(target.users, [&](const std::string& user) { return user != loaded.paths[0]; })) return false;
+    return config.file == 0 || (target.instances <= 1 && pathBelow(loaded.paths[config.file], std::array{loaded.projectFolder}));
+}
+
 } // namespace
 
 struct StructureEdits::PendingEdit {
@@ -49,11 +60,22 @@ struct StructureEdits::PendingEdit {
     Plan plan;
     std::string mergeKey;
     PreparedEdit prepared;
-    QString value = {};                              ///< the value that is all it changes; empty: the structure
-    std::function<Status()> applyWithoutCopies = {}; ///< used instead of the plan if no text was changed for it; may be empty
+    QString value = {};                               ///< the value that is all it changes; empty: the structure
+    std::pair<std::string, std::string> renamed = {}; ///< path and new name of the object that it renames
+    std::function<Status()> applyWithoutCopies = {};  ///< used instead of the plan if no text was changed for it; may be empty
     Status status = {};
     bool answered = false;
 };
+
+/// Which copies were made. One that the edit renames has its new name.
+QString StructureEdits::noticeOf(const PendingEdit& work) {
+    QString notice = work.prepared.notice();
+    const auto& [path, name] = work.renamed;
+    if (path.empty() || !work.prepared.isCopied(path)) return notice;
+    const QString copy = toQString(std::string(lastWord(work.prepared.copyOf(path))));
+    const QRegularExpression word(QStringLiteral("\\b%1\\b(?![./])").arg(QRegularExpression::escape(copy))); // no path of a file
+    return notice.replace(word, toQString(name));
+}
 
 Status StructureEdits::refuse(const Error& error) { return m_document.edits().apply({}, error); }
 
@@ -100,6 +122,7 @@ Status StructureEdits::rename(const QString& name, const std::string& path, cons
         name, {path},
         [path, to](const LoadedProject& loaded, const PathMapping& renamed) { return planRename(loaded, renamed(path), to); },
         {});
+    work->renamed = {path, to};
     // The uses of a copy are all in the texts that it was made in.
     work->applyWithoutCopies = [this, name, path, to] { return renameEverywhere(name, path, to); };
     return advance(work);
@@ -144,7 +167,7 @@ Status StructureEdits::advance(const std::shared_ptr<PendingEdit>& work) {
             if (!next && !prepared.isDecided(*config)) next = config;
         if (!next) {
             const Status done = finish(*work, plan.value());
-            if (done && !prepared.notice().isEmpty()) Q_EMIT m_document.notice(prepared.notice());
+            if (const QString notice = noticeOf(*work); done && !notice.isEmpty()) Q_EMIT m_document.notice(notice);
             return done;
         }
         prepared.changesFilesOf(plan.value());
@@ -163,8 +186,8 @@ std::optional<Status> StructureEdits::decide(const std::shared_ptr<PendingEdit>&
     PreparedEdit& prepared = work->prepared;
     const LoadedProject& loaded = prepared.loaded();
     const EditTarget target = targetOfStructure(loaded, config, nullptr, m_users);
-    const bool isOwn = std::ranges::none_of(target.users, [&](const std::string& user) { return user != loaded.paths[0]; }) &&
-                       config.file == 0 && prepared.copyUsers(config).size() == target.instances;
+    const bool isOwn =
+        isOnlyInOpened(loaded, config, target) && (config.file != 0 || prepared.copyUsers(config).size() == target.instances);
     const auto known = m_chosen.find(prepared.keyOf(config));
     if (target.isShipped || (known != m_chosen.end() && known->second == ShareChoice::MakeCopy && !isOwn)) {
         const bool isChosen = known != m_chosen.end();

@@ -75,6 +75,7 @@ public:
 
 private:
     struct PendingEdit;
+    [[nodiscard]] static QString noticeOf(const PendingEdit& work);
     [[nodiscard]] std::shared_ptr<PendingEdit> startEdit(const QString& name, const std::vector<std::string>& paths, Plan plan,
                                                          const std::string& mergeKey) const;
     Status renameEverywhere(const QString& name, const std::string& path, const std::string& to);

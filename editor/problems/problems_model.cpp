@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "editor/problems/problem_icons.h"
+#include "editor/problems/python_problems.h"
 #include "editor/widgets/strings.h"
 #include "editor/widgets/theme.h"
 #include "project/edits/edit_target.h"
@@ -41,6 +42,8 @@ QString problemPlace(const LoadedProject& loaded, const SourceRange& place) {
 void ProblemsModel::setLoaded(std::shared_ptr<const LoadedProject> loaded, bool isSame) {
     // Most edits do not change the list; avoiding a reset then keeps the scroll position and the expanded rows.
     const std::shared_ptr<const LoadedProject> kept = std::exchange(m_loaded, std::move(loaded));
+    const std::shared_ptr<const PythonProblems> pythonBefore =
+        std::exchange(m_python, std::make_shared<const PythonProblems>(pythonProblemsOf(m_loaded)));
     const std::vector<Entry> before = m_entries;
     std::vector<Diagnostic> modelBefore;
     if (m_modelTexts != m_loaded) modelBefore.swap(m_modelProblems); // `before` has pointers into it
@@ -99,6 +102,7 @@ const std::shared_ptr<const LoadedProject>& ProblemsModel::textsOf(const Entry& 
     case Source::Run: return m_runTexts;
     case Source::Model: return m_modelTexts;
     case Source::Build: return m_buildTexts;
+    case Source::Python: return m_python->texts;
     case Source::Texts: break;
     }
     return m_loaded;
@@ -146,7 +150,10 @@ void ProblemsModel::rebuild() {
     for (const Diagnostic& d : m_build) take(d, Source::Build);
     const std::size_t ofRun = m_entries.size();
     if (m_loaded)
-        for (const Diagnostic& d : m_loaded->diagnostics.all()) take(d, Source::Texts);
+        for (const Diagnostic& d : m_loaded->diagnostics.all())
+            if (d.code != Code::PythonModule) take(d, Source::Texts);
+    if (m_python)
+        for (const Diagnostic& d : m_python->found) take(d, Source::Python);
     for (const Diagnostic& d : m_modelProblems) take(d, Source::Model);
     std::stable_sort(m_entries.begin() + static_cast<std::ptrdiff_t>(ofRun), m_entries.end(),
                      [](const Entry& a, const Entry& b) { return before(a.diagnostic->range, b.diagnostic->range); });

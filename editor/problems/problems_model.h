@@ -10,6 +10,8 @@
 
 namespace trundle {
 
+struct PythonProblems;
+
 enum class ProblemOrder { Place, Severity };
 
 class ProblemsModel final : public QAbstractItemModel {
@@ -52,7 +54,7 @@ Q_SIGNALS:
     void countsChanged(int errors, int warnings);
 
 private:
-    enum class Source { Texts, Model, Run, Build };
+    enum class Source { Texts, Python, Model, Run, Build };
     struct Entry {
         const Diagnostic* diagnostic = nullptr;
         Source source = Source::Texts;
@@ -70,6 +72,7 @@ private:
 
     std::shared_ptr<const LoadedProject> m_loaded, m_runTexts, m_modelTexts, m_buildTexts;
     std::vector<Diagnostic> m_run, m_modelProblems, m_build;
+    std::shared_ptr<const PythonProblems> m_python; ///< of m_loaded, in place of those that it has
     std::vector<Entry> m_entries; ///< shown, in order
     int m_errors = 0, m_warnings = 0;
     bool m_showErrors = true, m_showWarnings = true;

@@ -1,7 +1,11 @@
 #include "editor/running/run_source.h"
 
+#include <QFileInfo>
+
 #include "control/module_store.h"
+#include "control/python_kinds.h"
 #include "editor/running/module_list.h"
+#include "editor/running/python_watch.h"
 #include "project/loading/modules.h"
 #include "project/objects/unplaced_configs.h"
 
@@ -11,6 +15,7 @@ RunSource::RunSource(Document& document, Application& application, QObject* pare
     : QObject(parent), m_document(document), m_application(application), m_preview(application) {
     connect(&document, &Document::changed, this, &RunSource::changed);
     connect(&document.editedModel(), &EditedModel::changed, this, &RunSource::changed);
+    connect(new PythonWatch(document, application, this), &PythonWatch::changed, this, &RunSource::readChangedModules);
 }
 
 std::shared_ptr<const ExperimentSpec> RunSource::shown() const {
@@ -68,9 +73,18 @@ bool RunSource::describesOnly() const {
     return !why.isEmpty() && m_document.loaded() && why == nothingToRun();
 }
 
-void RunSource::readRebuiltModules() {
+void RunSource::readChangedModules() {
     if (const auto& loaded = m_document.loaded(); loaded && descriptionChanged(*loaded->experiment, *loaded->registry))
         m_document.loading().readAgain();
+}
+
+/// Not those that are to be created or were deleted: only Save makes a file.
+std::vector<std::string> RunSource::unsavedModules() const {
+    std::vector<std::string> files = m_document.texts().modifiedFiles();
+    std::erase_if(files, [this](const std::string& file) {
+        return !isPythonModule(file) || m_document.texts().isRemoved(file) || !QFileInfo::exists(QString::fromStdString(file));
+    });
+    return files;
 }
 
 } // namespace trundle

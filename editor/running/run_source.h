@@ -2,6 +2,8 @@
 // What Run would run: the document's experiment, or a preview of the edited model or of a text without instances.
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <QObject>
 
@@ -30,8 +32,11 @@ public:
     [[nodiscard]] std::shared_ptr<const ExperimentSpec> lastValid() const { return m_preview.lastValid(m_document); }
     /// PreviewScene::setRamp().
     void setRamp(double slope) { m_preview.setRamp(slope); }
-    /// Checks the text against the current description of its modules: one that was rebuilt may accept other values.
-    void readRebuiltModules();
+    /// Loads the text again if a module has another description than it was checked with, or did not load: one that was rebuilt or
+    /// corrected may accept other values.
+    void readChangedModules();
+    /// Python files with edits that are not on disk. A run executes what is on disk.
+    [[nodiscard]] std::vector<std::string> unsavedModules() const;
 
 Q_SIGNALS:
     void changed(); ///< the document or the edited model changed: refusal() may differ

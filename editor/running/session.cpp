@@ -8,12 +8,14 @@
 
 #include "editor/running/code_places.h"
 #include "editor/running/live_edits.h"
+#include "editor/widgets/name_list.h"
 #include "run/runner.h"
 
 namespace trundle {
 namespace {
 
 constexpr int kFrameMs = 16;
+constexpr qsizetype kMaxNamed = 3;
 constexpr std::chrono::milliseconds kLastWait(2000);
 
 /// Console lines for robots that ended and joints that were closed again; a warning of pictures has a line of its own.
@@ -105,7 +107,8 @@ bool RunSession::waitForRuns() const {
 // ---- start and end ----
 
 bool RunSession::begin(bool running, std::uint64_t steps) {
-    m_source->readRebuiltModules();
+    saveModules();
+    m_source->readChangedModules();
     if (const QString why = m_source->refusal(); !why.isEmpty()) return m_messages->refuse(why);
     m_active.built = m_source->project();
     m_active.experiment = m_active.built->experiment;
@@ -135,6 +138,20 @@ bool RunSession::begin(bool running, std::uint64_t steps) {
     setState(RunState::Building);
     Q_EMIT experimentChanged();
     return true;
+}
+
+/// A run executes what is on disk; one that is resumed reloads what was saved (ModuleReload).
+void RunSession::saveModules() {
+    const std::vector<std::string> files = m_source->unsavedModules();
+    if (files.empty()) return;
+    QStringList shown;
+    for (const std::string& file : files) shown += QString::fromStdString(m_document.texts().shown(file));
+    const QString names = listed(shown, kMaxNamed);
+    const Status saved = m_document.saving().save(files);
+    if (saved) return addConsoleLine(TRUNDLE_INFO, tr("saved %1").arg(names));
+    const QString text = tr("Runs without the unsaved edits of %1: %2").arg(names, QString::fromStdString(saved.error().message));
+    addConsoleLine(TRUNDLE_WARNING, text);
+    Q_EMIT m_document.notice(text);
 }
 
 /// Without a run there is nothing to serve: it is built, and waits.
@@ -168,6 +185,7 @@ void RunSession::run() {
         addConsoleLine(TRUNDLE_INFO, text);
         Q_EMIT m_document.notice(text);
     } else if (m_active.live) {
+        saveModules();
         reportWaitingEdits();
         m_active.live->run();
     }
@@ -181,6 +199,7 @@ void RunSession::step() {
     if (state() == RunState::Ended && !m_active.canResume()) return;
     if (state() == RunState::Start) begin(false, 1);
     else {
+        saveModules();
         if (m_active.canResume()) reportWaitingEdits();
         m_active.live->step();
     }
@@ -192,6 +211,7 @@ void RunSession::runFor(double seconds) {
     const std::uint64_t ticks = experiment ? ticksFor(seconds, experiment->settings.tick) : 0;
     if (state() == RunState::Start) begin(false, ticks);
     else if (ticks > 0) {
+        saveModules();
         reportWaitingEdits();
         m_active.live->step(ticks);
     }

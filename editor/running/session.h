@@ -82,7 +82,7 @@ private:
     void serveOthers();
     void followSpeed(double speed);
     void followDocument(const ChangeSet& changes);
-    void reportLogs(), reportWaitingEdits();
+    void reportLogs(), reportWaitingEdits(), saveModules();
     void addConsoleLine(int severity, const QString& text);
 
     Document& m_document;

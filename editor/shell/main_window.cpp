@@ -17,6 +17,7 @@
 #include "editor/outline/object_marks.h"
 #include "editor/outline/outline_panel.h"
 #include "editor/problems/problems_panel.h"
+#include "editor/properties/editors/value_field.h"
 #include "editor/properties/properties_panel.h"
 #include "editor/radios/radios_panel.h"
 #include "editor/running/panels/console_panel.h"
@@ -143,6 +144,15 @@ void MainWindow::makePanels(Application& application, RenderService* render, con
     m_radios = new RadiosPanel(*m_document, *m_selection, *m_session);
     m_controllers = new ControllersPanel(*m_document, *m_selection, *m_session, *m_actions);
     m_help = new HelpPanel;
+
+    const auto commit = [this] {
+        commitTyped(*m_properties);
+        m_text->flush();
+    };
+    m_files->setFlush(commit);
+    // Connected before the transport bar and the commands, so that it is called first.
+    for (const char* id : {"sim.run", "sim.step", "sim.record", "model.drive", "controllers.build"})
+        connect(&m_actions->at(id), &QAction::triggered, this, commit);
 }
 
 void MainWindow::makeDocks() {
@@ -250,7 +260,6 @@ void MainWindow::connectPanels() {
         m_work->showViewport(true);
         m_viewport->views().lookThrough(path);
     });
-    m_files->setFlush([this] { m_text->flush(); });
     m_text->installEventFilter(this);
     new FileDrop(*this, [this](const QString& path) { m_files->open(path); });
 }

@@ -260,6 +260,9 @@ private Q_SLOTS:
         for (const Kind& kind : kinds.value()) QVERIFY(registry.add(kind).ok());
         const auto load = [&] { return loaded(experiment, registry); };
         QVERIFY(load().empty() && !descriptionChanged(experiment, registry));
+        ExperimentSpec lacking = experiment;
+        lacking.modules.push_back({"lost", {}, {}}); // was not found or did not load, which may have been corrected
+        QVERIFY(descriptionChanged(lacking, registry));
         made("libmind.so", bytesOf(kAfter)); // its description is not written yet
         QCOMPARE(load().size(), std::size_t(1));
         QVERIFY(load()[0].severity == Severity::Error && load()[0].code == Code::ModuleDescriptionStale);

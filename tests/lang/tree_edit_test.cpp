@@ -192,6 +192,15 @@ private Q_SLOTS:
         row("the empty file", "", "", "K = 9\n");
         row("only a BOM", "\xEF\xBB\xBF", "", "\xEF\xBB\xBFK = 9\n");
         row("settings above blocks", "Tick = 1\n\nRobot r {\n}\n", "", "Tick = 1\nK = 9\n\nRobot r {\n}\n");
+        row("the first setting, behind directives", "// About.\n#import a.sim\n#loadModule b // why\n\nRobot r {\n}\n", "",
+            "// About.\n#import a.sim\n#loadModule b // why\nK = 9\n\nRobot r {\n}\n");
+        row("the first setting, behind Params", "Param p = 1\r\nRobot r { }\r\n#import a.sim\r\n", "",
+            "Param p = 1\r\nK = 9\r\nRobot r { }\r\n#import a.sim\r\n");
+        row("the first setting, in front of a block", "// About.\n\n// The robot,\n/* of\n two */\nRobot r { }\n", "",
+            "// About.\n\nK = 9\n\n// The robot,\n/* of\n two */\nRobot r { }\n");
+        row("the first setting, behind a BOM", "\xEF\xBB\xBFRobot r { }\n", "", "\xEF\xBB\xBFK = 9\n\nRobot r { }\n");
+        row("the first setting, on the line of a block", "Param p = 1 Robot r { }\n", "", "Param p = 1 Robot r { }\nK = 9\n");
+        row("only directives", "#import a.sim\n", "", "#import a.sim\nK = 9\n");
         row("shared line", "Tick = 1   Duration = 2\n#import a.sim\n", "", "Tick = 1   Duration = 2\nK = 9\n#import a.sim\n");
     }
     void adding() {

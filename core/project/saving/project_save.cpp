@@ -30,8 +30,7 @@ Status writeFile(FileTransaction& writing, const std::string& path, const OpenFi
 
 } // namespace
 
-Status ProjectSave::save() {
-    const Paths modified = m_files.modified();
+Status ProjectSave::save(const Paths& modified) {
     const Result<std::vector<FileLock>> locks = FileLock::takeAll(modified, kLockTimeout);
     if (!locks) return locks.error();
     if (Status writable = checkWritable(modified); !writable) return writable;

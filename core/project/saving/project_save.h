@@ -33,7 +33,8 @@ public:
     ProjectSave(OpenFiles& files, SaveEnvironment environment) : m_files(files), m_environment(std::move(environment)) {}
 
     /// Writes every modified file to its path.
-    [[nodiscard]] Status save();
+    [[nodiscard]] Status save() { return save(m_files.modified()); }
+    [[nodiscard]] Status save(const std::vector<std::string>& modified); ///< of the modified files, these
     /// Writes the files that move to their new paths, and all that the plan copies. If the opened file keeps its path, the other
     /// modified files are written too, except samples. The paths in `files` stay; see OpenFiles::rename().
     [[nodiscard]] Status saveAs(const SavePlan& plan);

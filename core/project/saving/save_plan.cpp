@@ -93,7 +93,7 @@ private:
             const std::string& wanted = moved == m_plan.moves.end() ? file : moved->second;
             const bool found = now != textsOf(there).imports.end() && there.paths[now->second] == wanted;
             if (!found || (moved == m_plan.moves.end() && m_mustMove.contains(file))) {
-                if (Status done = bring(before, i, old->second); !done) return done.error();
+                if (Status done = bring(before, i, old->second, there.projectFolder); !done) return done.error();
                 return true;
             }
             const Result<bool> below = compare(old->second, there, now->second);
@@ -102,8 +102,9 @@ private:
         return false;
     }
 
-    /// Makes import number `i` of a file resolve to `imported`, by a copy next to the file or by another path in the import.
-    Status bring(FileId importing, std::size_t i, FileId imported) {
+    /// Makes import number `i` of a file resolve to `imported`, by a copy next to the file or by another path in the import. `project`:
+    /// folder of the project at the new path; what is in it too is not copied.
+    Status bring(FileId importing, std::size_t i, FileId imported, const std::string& project) {
         const std::string& from = m_loaded.paths[importing];
         const auto place = m_plan.moves.find(from);
         // A file that stays in place cannot be made to find a copy: it moves first.
@@ -112,6 +113,11 @@ private:
         const std::string& written = importsOf(*m_loaded.trees[importing])[i]->path;
         const std::string& file = m_loaded.paths[imported];
         const auto moved = m_plan.moves.find(file);
+        const bool isReachable =
+            project == m_loaded.projectFolder && staysBelow(fs::path(file).lexically_relative(project).string());
+        if (moved == m_plan.moves.end() && isReachable && !m_mustMove.contains(file))
+            return rewrite(importing, {importsOf(*m_loaded.trees[importing])[i]->pathRange},
+                           fs::path(file).lexically_relative(folder).generic_string());
         if (moved == m_plan.moves.end() && staysBelow(written)) return move(imported, canonicalPath(folder + "/" + written));
         if (moved == m_plan.moves.end()) {
             if (Status done = moveBeside(imported); !done) return done;

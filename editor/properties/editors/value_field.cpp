@@ -5,6 +5,7 @@
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QPainter>
+#include <QPointer>
 #include <QStyleOptionFrame>
 
 #include "editor/widgets/plain_text.h"
@@ -217,5 +218,13 @@ void ValueField::resizeEvent(QResizeEvent* event) {
 
 QSize ValueField::sizeHint() const { return {60, QLineEdit::sizeHint().height()}; }
 QSize ValueField::minimumSizeHint() const { return {30, QLineEdit::minimumSizeHint().height()}; }
+
+void commitTyped(const QWidget& panel) {
+    QList<QPointer<ValueField>> typed; // committing one may delete others
+    for (ValueField* field : panel.findChildren<ValueField*>())
+        if (field->isModified() && !field->refused()) typed.append(field);
+    for (const QPointer<ValueField>& field : typed)
+        if (field) field->enter();
+}
 
 } // namespace trundle

@@ -10,7 +10,7 @@ class ValueField final : public QLineEdit {
 public:
     explicit ValueField(QWidget* parent = nullptr);
 
-    /// Sets the document's value. While the user is typing, the text is not replaced unless the document's value changed.
+    /// Sets the document's value. What is being typed is not replaced; refused text without the focus is, when the value changes.
     void setValue(const QString& text);
     [[nodiscard]] const QString& value() const { return m_value; }
     /// Shown faint after the text: a unit, or the value of a formula.
@@ -52,5 +52,8 @@ private:
     QString m_value, m_suffix, m_reason;
     bool m_faint = false, m_mixed = false, m_compact = false, m_colouring = false;
 };
+
+/// Commits what is typed in the fields of a panel, as losing the focus does. What has been refused stays.
+void commitTyped(const QWidget& panel);
 
 } // namespace trundle

@@ -47,7 +47,7 @@ CommandPalette::CommandPalette(const Actions& actions, std::vector<Command> more
         QAction& action = actions.at(row.id);
         if (std::string_view(row.id) == "edit.palette") continue;
         QString menu = QLatin1String(row.menu), name = action.text().remove(QLatin1Char('&'));
-        menu.remove(QLatin1Char('|'));
+        menu.remove(QLatin1Char('|')).remove(QLatin1Char('&'));
         if (const qsizetype under = menu.indexOf(QLatin1Char('/')); under > 0) // its name qualifies "Robot…"
             name = menu.mid(under + 1) + QStringLiteral(": ") + name;
         m_commands.push_back({name, menu, &action});
@@ -90,14 +90,22 @@ int CommandPalette::match(const QString& name, const QString& letters) {
     return score;
 }
 
+int CommandPalette::scoreOf(const Command& command, const QString& letters) {
+    // Also matches the menu's name: "For Running" is an entry of View/Layout.
+    int score = match(command.name, letters);
+    if (score == 0) score = match(command.menu + QLatin1Char(' ') + command.name, letters);
+    const QString id = command.action ? command.action->objectName() : QString();
+    const bool isHistory = id == QLatin1String("edit.undo") || id == QLatin1String("edit.redo");
+    if (score == 0 || !isHistory) return score;
+    const QString verb = command.name.section(QLatin1Char(' '), 0, 0), first = letters.section(QLatin1Char(' '), 0, 0);
+    return verb.startsWith(first, Qt::CaseInsensitive) ? score : 1;
+}
+
 void CommandPalette::fill(const QString& letters) {
     m_list->clear();
     std::vector<std::pair<int, std::size_t>> found;
     for (std::size_t i = 0; i < m_commands.size(); ++i)
-        // Also matches the menu's name: "For Running" is an entry of View/Layout.
-        if (int score = match(m_commands[i].name, letters);
-            score > 0 || (score = match(m_commands[i].menu + QLatin1Char(' ') + m_commands[i].name, letters)) > 0)
-            found.emplace_back(-score, i);
+        if (const int score = scoreOf(m_commands[i], letters); score > 0) found.emplace_back(-score, i);
     std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for (const auto& [score, i] : found) {
         const Command& command = m_commands[i];

@@ -27,6 +27,8 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    /// As match(). "Undo Add Imu" is not what "imu" looks for: undo and redo are last, unless their own names are typed.
+    [[nodiscard]] static int scoreOf(const Command& command, const QString& letters);
     void fill(const QString& letters);
     void trigger();
 

@@ -174,6 +174,8 @@ bool FileCommands::saveAs() {
 
 bool FileCommands::confirmClose() {
     m_flush();
+    const auto* asked = m_window.findChild<QMessageBox*>(QStringLiteral("shareQuestion"));
+    if (asked && asked->isVisible()) return false; // what was typed waits for the answer
     if (!m_document.isOpen() || !m_document.texts().isModified()) return true;
     const QStringList names = unsavedFiles(m_document);
     QMessageBox question(QMessageBox::Question, tr("Unsaved changes"),

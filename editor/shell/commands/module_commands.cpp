@@ -75,7 +75,8 @@ void ModuleCommands::askForNew(bool isController) {
     if (!document.isOpen()) return;
     if ((document.isNew() || document.texts().isSample(document.path())) && !m_targets.files.save())
         return m_targets.status.refuse(tr("The files of a module are beside the experiment: save the experiment first."));
-    const std::vector<std::string> robots = robotsAmong(*document.loaded(), m_targets.selection.paths());
+    std::vector<std::string> robots; // that get it: a component is only loaded
+    if (isController) robots = robotsAmong(*document.loaded(), m_targets.selection.paths());
     NewModuleDialog::Options options;
     options.isController = isController;
     options.project = toQString(document.loaded()->projectFolder);

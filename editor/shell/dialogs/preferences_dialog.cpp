@@ -26,7 +26,9 @@ namespace {
 
 const QString kTrusted = QStringLiteral("trustedFolders");
 
-QString menuOf(const ActionRow& row) { return QString(QLatin1String(row.menu)).remove(QLatin1Char('|')); }
+QString menuOf(const ActionRow& row) {
+    return QString(QLatin1String(row.menu)).remove(QLatin1Char('|')).remove(QLatin1Char('&'));
+}
 
 /// The table's text, since the action's current one may be longer ("Undo Move robot0"); with its submenu, since "Robot" alone is
 /// ambiguous.

@@ -39,9 +39,11 @@ FindSession::FindSession(Document& document, TextPages& pages, FindBar& bar, Res
         m_pages.reveal(file, range, focus);
         updateMatches();
     });
-    connect(&document, &Document::changed, this, [this] {
-        if (m_bar.isVisible()) updateMatches();
-    });
+    const auto update = [this] {
+        if (m_bar.isVisible() && m_document.isOpen()) updateMatches();
+    };
+    connect(&document, &Document::changed, this, update);
+    connect(&pages, &QTabWidget::currentChanged, this, update); // the matches are those of the shown page
 }
 
 void FindSession::open(bool replacing) {
@@ -186,7 +188,8 @@ void FindSession::findAsTyped() {
         go(*first);
 }
 
-void FindSession::go(const FileMatches& found) {
+/// `found` is a copy, since showing another page replaces m_found.
+void FindSession::go(FileMatches found) { // NOLINT(performance-unnecessary-value-param)
     m_pages.reveal(found.file, found.match.range);
     if (FilePage* page = m_pages.page(); page && page->file() == found.file) {
         m_fromFile = found.file;

@@ -39,7 +39,7 @@ private:
     void count(); ///< shows the index of the selected match
     void step(int direction);
     void findAsTyped();
-    void go(const FileMatches& found);
+    void go(FileMatches found);
     [[nodiscard]] std::ptrdiff_t here() const; ///< index of the selected match; -1: none
     void replaceOne();
     void replaceAll();

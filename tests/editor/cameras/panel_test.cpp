@@ -2,13 +2,17 @@
 
 #include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
+#include <QMouseEvent>
 #include <QToolButton>
 #include <QtTest>
 
 #include "editor/cameras/camera_window.h"
 #include "editor/document/structure_edits.h"
+#include "editor/widgets/painted_text.h"
 #include "eventually.h"
+#include "model/object_numbers.h"
 
 using namespace trundle;
 
@@ -20,6 +24,21 @@ int coloursIn(const QImage& image) {
     for (int y = 0; y < image.height(); y += 2)
         for (int x = 0; x < image.width(); x += 2) seen.insert(image.pixel(x, y) & 0xf0f0f0);
     return int(seen.size());
+}
+
+constexpr int kWide = 160, kHigh = 120; ///< pixels of the cameras of kTwoEyes
+
+/// A pixel whose neighbours are of the same object as itself, which is `object` or, if that is none, neither 0 nor `other`.
+std::optional<QPoint> pixelOf(const CameraImage& image, std::optional<std::uint32_t> object, std::uint32_t other = 0) {
+    for (int y = 2; y + 2 < kHigh; ++y)
+        for (int x = 2; x + 2 < kWide; ++x) {
+            const std::uint32_t here = image.objects[std::size_t(y * kWide + x)];
+            bool alike = object ? here == *object : here != 0 && here != other;
+            for (int i = 0; i < 25; ++i)
+                alike = alike && image.objects[std::size_t((y - 2 + i / 5) * kWide + x - 2 + i % 5)] == here;
+            if (alike) return QPoint(x, y);
+        }
+    return std::nullopt;
 }
 
 } // namespace
@@ -171,6 +190,81 @@ private Q_SLOTS:
         mode->setCurrentIndex(0); // each camera's own mode
         EVENTUALLY(m_window->cameras.isSettled() && m_window->tile("robot0/eye")->picture.frame->depth.empty());
         QVERIFY(!m_window->tile("robot1/eye")->picture.frame->depth.empty());
+    }
+
+    /// In a segmentation its object, in a depth image its distance.
+    void thePixelUnderTheMouseIsRead() {
+        QVERIFY(m_window->open(kTwoEyes));
+        m_window->cameras.setChosen({"robot0/eye"});
+        CameraTiles& wall = m_window->cameras.wall();
+        const auto frame = [&] { return m_window->tile("robot0/eye")->picture.frame; };
+        const auto read = [&](const QPoint& pixel) {
+            const QRect place = m_window->tile("robot0/eye")->place;
+            const double scale = double(place.width()) / kWide;
+            const QPointF at = place.topLeft() + QPointF((pixel.x() + 0.5) * scale, (pixel.y() + 0.5) * scale);
+            QMouseEvent move(QEvent::MouseMove, at, wall.mapToGlobal(at), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+            QCoreApplication::sendEvent(&wall, &move);
+            QStringList texts = paintedTexts(wall);
+            texts.removeAll(QStringLiteral("robot0/eye"));
+            return texts.join(u' ');
+        };
+        m_window->cameras.setMode(CameraMode::Segmentation);
+        EVENTUALLY(m_window->cameras.isSettled() && frame() && !frame()->objects.empty());
+        for (int renamed = 0; renamed < 2; ++renamed) { // the names are those of the experiment now
+            const std::vector<std::string> names = objectNames(*m_window->document.loaded()->experiment);
+            const auto robot = std::ranges::find_if(names, [&](const std::string& name) {
+                return name.starts_with(renamed ? "other" : "robot1") && pixelOf(*frame(), std::uint32_t(&name - names.data()));
+            });
+            QVERIFY(robot != names.end());
+            const auto number = std::uint32_t(robot - names.begin());
+            QCOMPARE(read(*pixelOf(*frame(), number)), QString::fromStdString(*robot));
+            const auto another = pixelOf(*frame(), std::nullopt, number);
+            QVERIFY(another);
+            QCOMPARE(read(*another),
+                     QString::fromStdString(names[frame()->objects[std::size_t(another->y() * kWide + another->x())]]));
+            if (const auto sky = pixelOf(*frame(), 0)) QCOMPARE(read(*sky), QStringLiteral("nothing"));
+            if (renamed) break;
+            const std::string file = m_window->document.texts().files().front();
+            const QByteArray text = QByteArray(kTwoEyes).replace("Robot robot1", "Robot other");
+            QVERIFY(m_window->document.edits().replaceText(QStringLiteral("Rename"), file, text.toStdString()).ok());
+            m_window->cameras.setChosen({"robot0/eye"});
+            EVENTUALLY(m_window->cameras.isSettled() && m_window->tile("robot0/eye") && frame() && !frame()->objects.empty());
+        }
+        const QPoint body = *pixelOf(*frame(), std::nullopt);
+        m_window->cameras.setMode(CameraMode::Depth);
+        EVENTUALLY(m_window->cameras.isSettled() && frame() && !frame()->depth.empty());
+        float nearest = 1e9F, farthest = 0; // of the neighbours too: the mouse is between two pixels
+        for (int i = 0; i < 9; ++i) {
+            const float depth = frame()->depth[std::size_t((body.y() - 1 + i / 3) * kWide + body.x() - 1 + i % 3)];
+            nearest = std::min(nearest, depth);
+            farthest = std::max(farthest, depth);
+        }
+        const QString text = read(body);
+        QVERIFY2(text.endsWith(QStringLiteral(" m")), qPrintable(text));
+        const double shown = text.chopped(2).toDouble();
+        QVERIFY2(shown > 0 && shown >= double(nearest) - 0.006 && shown <= double(farthest) + 0.006, qPrintable(text));
+    }
+
+    /// By any letters of their names; what is checked stays so.
+    void theListIsFiltered() {
+        QVERIFY(m_window->open(kTwoEyes));
+        auto* list = m_window->cameras.findChild<QListWidget*>(QStringLiteral("cameraList"));
+        auto* filter = m_window->cameras.findChild<QLineEdit*>(QStringLiteral("cameraFilter"));
+        const std::vector<std::string> chosen = m_window->cameras.chosen();
+        const auto listed = [&](const char* typed) {
+            filter->clear();
+            QTest::keyClicks(filter, QLatin1String(typed));
+            QStringList names;
+            for (int i = 0; i < list->count(); ++i)
+                if (!list->item(i)->isHidden()) names << list->item(i)->text();
+            return names.join(u' ');
+        };
+        QCOMPARE(listed("eye"), QStringLiteral("robot0/eye robot1/eye"));
+        QCOMPARE(listed("1/E"), QStringLiteral("robot1/eye"));
+        QCOMPARE(listed("robot0"), QStringLiteral("robot0/eye"));
+        QCOMPARE(listed("eyes"), QString());
+        QCOMPARE(m_window->cameras.chosen(), chosen);
+        QCOMPARE(listed(""), QStringLiteral("robot0/eye robot1/eye"));
     }
 
     void thePictureCanBeSaved_data() {

@@ -2,7 +2,9 @@
 
 #include <QTest>
 
+#include <memory>
 #include <random>
+#include <thread>
 
 #include <QElapsedTimer>
 #include <QProcess>
@@ -49,11 +51,80 @@ struct Heard {
     }
 };
 
+/// One program that is killed.
+struct Round {
+    int seed = 0, afterMs = 0;
+    QStringList how = {}; ///< that the program edits
+    DocumentFixture fixture = {};
+    Heard heard = {};
+    QString fault = {}; ///< of the test
+};
+using Rounds = std::vector<std::unique_ptr<Round>>;
+
+void take(QProcess& program, qint64 now, Heard& heard) {
+    while (program.canReadLine()) {
+        const QByteArray line = program.readLine();
+        const QList<QByteArray> words = line.trimmed().split(' ');
+        if (words[0] == "edit") heard.edits.push_back({words[1].toInt(), now, words.value(2).toULongLong()});
+        if (words[0] == "saved") heard.saved = words[1].toInt();
+    }
+}
+
+void editUntilKilled(Round& round) {
+    QProcess program;
+    program.start(QString::fromUtf8(TRUNDLE_BINARY_DIR "/tests/edit_and_save"),
+                  QStringList{QString::fromStdString(round.fixture.main), QString::number(round.seed)} + round.how);
+    if (!program.waitForStarted()) return void(round.fault = u"not started"_qs);
+    while (!program.canReadLine() && program.waitForReadyRead(10000)) continue;
+    if (program.readLine() != "ready\n") round.fault = u"not ready"_qs;
+    QElapsedTimer clock;
+    clock.start();
+    while (clock.elapsed() < round.afterMs && program.state() == QProcess::Running) {
+        program.waitForReadyRead(static_cast<int>(std::max<qint64>(1, round.afterMs - clock.elapsed())));
+        take(program, clock.elapsed(), round.heard);
+    }
+    round.heard.killedAt = clock.elapsed();
+    program.kill();
+    if (!program.waitForFinished() || program.exitStatus() != QProcess::CrashExit) round.fault = u"not killed"_qs;
+    take(program, round.heard.killedAt, round.heard);
+}
+
+/// The programs do little, and wait: many at a time.
+void editUntilKilled(const Rounds& rounds) {
+    constexpr std::size_t kTogether = 20;
+    for (std::size_t begin = 0; begin < rounds.size(); begin += kTogether) {
+        std::vector<std::jthread> threads;
+        for (std::size_t i = begin; i < std::min(rounds.size(), begin + kTogether); ++i)
+            threads.emplace_back([&round = *rounds[i]] { editUntilKilled(round); });
+    }
+}
+
 /// As printed by the program.
 std::size_t hashOf(const Document& document) {
     std::string all;
     for (const std::string& file : document.texts().files()) all += *document.texts().text(file) + '\0';
     return std::hash<std::string>()(all);
+}
+
+const std::string kWalls = "StaticConfig Wall { Box b { Size=1,1,1 Pos=0,0,0.5 } }\n"
+                           "Static a { Config=Wall }\nStatic b { Config=Wall Pos=3,0,0 }\n";
+
+const std::string kCart =
+    "PartConfig Wheel { Param r = 0.05 { Min=0.01 Max=1 } Body wheel { Sphere tyre { Radius=$r Mass=0.1 } } Hinge axle { "
+    "Parent=$on Child=wheel Axis=0,1,0 } }\n"
+    "RobotConfig Cart { Body chassis { Box hull { Size=0.3,0.2,0.1 Pos=0,0,0.06 Mass=2 } }\n"
+    "  Part left { Config=Wheel In=chassis Pos=0,0.1,0 on=chassis } Part right { Config=Wheel In=chassis Pos=0,-0.1,0 "
+    "Mirror=y "
+    "on=chassis }\n  Ring bolt { Count=3 Radius=0.05 Body head { Sphere s { Radius=0.01 Mass=0.01 } } Fixed nail { "
+    "Parent=chassis Child=head } }\n  Latch magnet { Body=chassis } }\nRobotConfig Tall { Config=Cart left.r=0.06 }\n";
+
+void writeConfigs(const DocumentFixture& fixture) {
+    fixture.write("configs/robots/cart.sim", kCart);
+    fixture.write("configs/main.sim", "#import robots/rover.sim\n#import robots/cart.sim\nRobot robot0 { Config=Rover }\n"
+                                      "Robot robot1 { Config=Cart Pos=1,0,0 }\nNoContact = robot0,robot1\n"
+                                      "Repeat row { Count=2 Pos=$(2 + index),0,0 Robot tall { Config=Tall } Region goal { "
+                                      "Size=1,1,1 Robots=tall } }\n"
+                                      "Spring rope { Parent=robot0.chassis Child=row_1.tall.left.wheel Stiffness=1 }\n");
 }
 
 } // namespace
@@ -67,8 +138,12 @@ private Q_SLOTS:
         const int kills = qEnvironmentVariableIsSet("TRUNDLE_LONG") ? 200 : 20;
         std::mt19937 random(11);
         int offered = 0;
-        for (int i = 0; i < kills; ++i) {
-            kill(static_cast<int>(random()), static_cast<int>(random() % 2500), offered);
+        for (const auto& round : killed(kills, [&](Round& r) {
+                 r.seed = static_cast<int>(random() & 0xffff);
+                 r.afterMs = static_cast<int>(random() % 2500);
+                 r.fixture.write("configs/main.sim", "Seed = 0\n// end 0\n");
+             })) {
+            checkNumbers(*round, offered);
             if (QTest::currentTestFailed()) return;
         }
         QVERIFY2(offered >= kills / 4, qPrintable(QString::number(offered))); // many kills hit unsaved work
@@ -79,10 +154,16 @@ private Q_SLOTS:
         const int kills = qEnvironmentVariableIsSet("TRUNDLE_LONG") ? 100 : 10;
         std::mt19937 random(5);
         int offered = 0, removed = 0;
-        for (int i = 0; i < kills || (offered < kills / 4 && i < 4 * kills); ++i) { // on a busy machine fewer hit unsaved work
-            killPieces(static_cast<int>(random() & 0xffff), static_cast<int>(600 + random() % 2500), offered, removed);
-            if (QTest::currentTestFailed()) return;
-        }
+        for (int i = 0; i == 0 || (offered < kills / 4 && i < 4); ++i) // on a busy machine fewer hit unsaved work
+            for (const auto& round : killed(kills, [&](Round& r) {
+                     r.seed = static_cast<int>(random() & 0xffff);
+                     r.afterMs = static_cast<int>(600 + random() % 2500);
+                     r.how = {u"pieces"_qs};
+                     r.fixture.write("configs/main.sim", kWalls);
+                 })) {
+                checkPieces(*round, offered, removed);
+                if (QTest::currentTestFailed()) return;
+            }
         QVERIFY2(offered >= kills / 4 && removed > 0, qPrintable(QStringLiteral("%1, %2").arg(offered).arg(removed)));
     }
 
@@ -91,9 +172,13 @@ private Q_SLOTS:
         const int kills = qEnvironmentVariableIsSet("TRUNDLE_LONG") ? 100 : 8;
         std::mt19937 random(7);
         int offered = 0, copied = 0, changedForAll = 0;
-        for (int i = 0; i < kills; ++i) {
-            killConfigs(static_cast<int>(random() & 0xffff), static_cast<int>(1500 + random() % 3000), offered, copied,
-                        changedForAll);
+        for (const auto& round : killed(kills, [&](Round& r) {
+                 r.seed = static_cast<int>(random() & 0xffff);
+                 r.afterMs = static_cast<int>(1500 + random() % 3000);
+                 r.how = {u"configs"_qs};
+                 writeConfigs(r.fixture);
+             })) {
+            checkConfigs(*round, offered, copied, changedForAll);
             if (QTest::currentTestFailed()) return;
         }
         const QString counts = QStringLiteral("%1, %2, %3").arg(offered).arg(copied).arg(changedForAll);
@@ -101,6 +186,13 @@ private Q_SLOTS:
     }
 
 private:
+    template <class Prepare> static Rounds killed(int count, Prepare prepare) {
+        Rounds rounds;
+        for (int i = 0; i < count; ++i) prepare(*rounds.emplace_back(std::make_unique<Round>()));
+        editUntilKilled(rounds);
+        return rounds;
+    }
+
     /// Opens the experiment after the kill and restores its journal, if one is offered.
     static void restore(Document& document, const DocumentFixture& fixture, bool& isOffered) {
         QVERIFY(document.opening().open(fixture.main).ok());
@@ -111,26 +203,10 @@ private:
         QVERIFY2(!document.loaded()->diagnostics.hasErrors(), messages(*document.loaded()).c_str());
     }
 
-    void killConfigs(int seed, int afterMs, int& offered, int& copied, int& changedForAll) {
-        const DocumentFixture fixture;
-        const std::string cart =
-            "PartConfig Wheel { Param r = 0.05 { Min=0.01 Max=1 } Body wheel { Sphere tyre { Radius=$r Mass=0.1 } } Hinge axle { "
-            "Parent=$on Child=wheel Axis=0,1,0 } }\n"
-            "RobotConfig Cart { Body chassis { Box hull { Size=0.3,0.2,0.1 Pos=0,0,0.06 Mass=2 } }\n"
-            "  Part left { Config=Wheel In=chassis Pos=0,0.1,0 on=chassis } Part right { Config=Wheel In=chassis Pos=0,-0.1,0 "
-            "Mirror=y "
-            "on=chassis }\n  Ring bolt { Count=3 Radius=0.05 Body head { Sphere s { Radius=0.01 Mass=0.01 } } Fixed nail { "
-            "Parent=chassis Child=head } }\n  Latch magnet { Body=chassis } }\nRobotConfig Tall { Config=Cart left.r=0.06 }\n";
-        fixture.write("configs/robots/cart.sim", cart);
-        fixture.write("configs/main.sim", "#import robots/rover.sim\n#import robots/cart.sim\nRobot robot0 { Config=Rover }\n"
-                                          "Robot robot1 { Config=Cart Pos=1,0,0 }\nNoContact = robot0,robot1\n"
-                                          "Repeat row { Count=2 Pos=$(2 + index),0,0 Robot tall { Config=Tall } Region goal { "
-                                          "Size=1,1,1 Robots=tall } }\n"
-                                          "Spring rope { Parent=robot0.chassis Child=row_1.tall.left.wheel Stiffness=1 }\n");
-        Heard heard;
-        editUntilKilled(fixture, {QString::number(seed), u"configs"_qs}, afterMs, heard);
-        if (QTest::currentTestFailed()) return;
-
+    void checkConfigs(const Round& round, int& offered, int& copied, int& changedForAll) {
+        QCOMPARE(round.fault, QString());
+        const DocumentFixture& fixture = round.fixture;
+        const Heard& heard = round.heard;
         Document document(*m_application);
         bool isOffered = false;
         restore(document, fixture, isOffered);
@@ -142,21 +218,15 @@ private:
         const int old = heard.old();
         QVERIFY2(kept >= old, qPrintable(QStringLiteral("edit %1 of two seconds before is lost, %2 is kept").arg(old).arg(kept)));
         QCOMPARE(why(document.saving().save()), "");
-        QCOMPARE(bytesOf(fixture.path("configs/robots/cart.sim")), cart); // its instance has a copy
+        QCOMPARE(bytesOf(fixture.path("configs/robots/cart.sim")), kCart); // its instance has a copy
         copied += holds(bytesOf(fixture.main), "RobotConfig Cart2");
         changedForAll += bytesOf(fixture.robot) != kRover;
     }
 
-    void killPieces(int seed, int afterMs, int& offered, int& removed) {
-        const DocumentFixture fixture;
-        const std::string text = "StaticConfig Wall { Box b { Size=1,1,1 Pos=0,0,0.5 } }\n"
-                                 "Static a { Config=Wall }\nStatic b { Config=Wall Pos=3,0,0 }\n",
-                          piece = fixture.path("configs/objects/piece.sim");
-        fixture.write("configs/main.sim", text);
-        Heard heard;
-        editUntilKilled(fixture, {QString::number(seed), u"pieces"_qs}, afterMs, heard);
-        if (QTest::currentTestFailed()) return;
-
+    void checkPieces(const Round& round, int& offered, int& removed) {
+        QCOMPARE(round.fault, QString());
+        const DocumentFixture& fixture = round.fixture;
+        const std::string piece = fixture.path("configs/objects/piece.sim");
         const bool wasThere = std::filesystem::exists(piece);
         Document document(*m_application);
         bool isOffered = false;
@@ -164,20 +234,17 @@ private:
         if (QTest::currentTestFailed()) return;
         offered += isOffered;
         QCOMPARE(why(document.saving().save()), "");
-        const bool isGrouped = bytesOf(fixture.main) != text;
+        const bool isGrouped = bytesOf(fixture.main) != kWalls;
         QVERIFY(!isGrouped || holds(bytesOf(piece), "StaticConfig Piece"));
         QVERIFY(!std::filesystem::exists(piece) || holds(bytesOf(piece), "StaticConfig Piece")); // never an empty file
         if (isOffered) QCOMPARE(std::filesystem::exists(piece), isGrouped);
         removed += wasThere && !std::filesystem::exists(piece);
     }
 
-    void kill(int seed, int afterMs, int& offered) {
-        const DocumentFixture fixture;
-        fixture.write("configs/main.sim", "Seed = 0\n// end 0\n");
-        Heard heard;
-        editUntilKilled(fixture, {QString::number(seed & 0xffff)}, afterMs, heard);
-        if (QTest::currentTestFailed()) return;
-
+    void checkNumbers(const Round& round, int& offered) {
+        QCOMPARE(round.fault, QString());
+        const DocumentFixture& fixture = round.fixture;
+        const Heard& heard = round.heard;
         const int onDisk = numberOf(bytesOf(fixture.main));
         QVERIFY2(onDisk >= heard.saved, "the file is torn, or a save is lost");
         const int old = heard.old();
@@ -196,35 +263,6 @@ private:
             kept = std::max(kept, numberOf(text));
         }
         QVERIFY2(kept >= old, qPrintable(QStringLiteral("edit %1 of two seconds before is lost, %2 is kept").arg(old).arg(kept)));
-    }
-
-    static void editUntilKilled(const DocumentFixture& fixture, const QStringList& how, int afterMs, Heard& heard) {
-        QProcess program;
-        program.start(QString::fromUtf8(TRUNDLE_BINARY_DIR "/tests/edit_and_save"),
-                      QStringList(QString::fromStdString(fixture.main)) + how);
-        QVERIFY(program.waitForStarted());
-        while (!program.canReadLine() && program.waitForReadyRead(10000)) continue;
-        QCOMPARE(program.readLine(), QByteArray("ready\n"));
-        QElapsedTimer clock;
-        clock.start();
-        while (clock.elapsed() < afterMs && program.state() == QProcess::Running) {
-            program.waitForReadyRead(static_cast<int>(std::max<qint64>(1, afterMs - clock.elapsed())));
-            take(program, clock.elapsed(), heard);
-        }
-        heard.killedAt = clock.elapsed();
-        program.kill();
-        QVERIFY(program.waitForFinished());
-        QCOMPARE(program.exitStatus(), QProcess::CrashExit);
-        take(program, heard.killedAt, heard);
-    }
-
-    static void take(QProcess& program, qint64 now, Heard& heard) {
-        while (program.canReadLine()) {
-            const QByteArray line = program.readLine();
-            const QList<QByteArray> words = line.trimmed().split(' ');
-            if (words[0] == "edit") heard.edits.push_back({words[1].toInt(), now, words.value(2).toULongLong()});
-            if (words[0] == "saved") heard.saved = words[1].toInt();
-        }
     }
 
     std::unique_ptr<Application> m_application;

@@ -50,6 +50,21 @@ private Q_SLOTS:
         QVERIFY(!d.texts().isModified());
     }
 
+    /// The notice has the name that the copy has got.
+    void aShippedConfig() {
+        const DocumentFixture fixture;
+        Document d(*m_application);
+        QVERIFY(
+            d.opening()
+                .open(fixture.write("configs/own.sim", "#import arenas/medium_arena.sim\nStatic arena { Config=MediumArena }\n"))
+                .ok());
+        QSignalSpy notices(&d, &Document::notice);
+        QVERIFY(d.structure().rename(u"Rename"_qs, "StaticConfig.MediumArena", "Yard").ok());
+        QVERIFY(holds(*d.texts().text(d.path()), "Config=Yard"));
+        const std::string notice = reportOf(notices);
+        QVERIFY2(holds(notice, "arena uses Yard, a copy of it") && !holds(notice, "MediumArena2"), notice.c_str());
+    }
+
 private:
     std::unique_ptr<Application> m_application;
 };

@@ -266,6 +266,21 @@ private Q_SLOTS:
         QVERIFY(!d.loaded()->diagnostics.hasErrors());
     }
 
+    void importsInTheProjectAreAdjusted() {
+        Document& d = *m_document;
+        m_fixture->write("configs/exp/one.sim",
+                         "#import ../robots/rover.sim\n#import own/ball.sim\nRobot robot0 { Config=Rover }\n");
+        m_fixture->write("configs/exp/own/ball.sim", "Material red { ColorRGB=1,0,0 }\n");
+        QVERIFY(d.opening().open(m_fixture->path("configs/exp/one.sim")).ok());
+        fs::create_directories(m_fixture->path("configs/sub/deep"));
+        const std::string target = m_fixture->path("configs/sub/deep/x.sim");
+        QCOMPARE(why(d.saving().saveAs(target)), "");
+        QCOMPARE(bytesOf(target), "#import \"../../robots/rover.sim\"\n#import \"../../exp/own/ball.sim\"\n"
+                                  "Robot robot0 { Config=Rover }\n");
+        QCOMPARE(std::distance(fs::directory_iterator(m_fixture->path("configs/sub/deep")), {}), 1);
+        QVERIFY(!d.loaded()->diagnostics.hasErrors());
+    }
+
     void noOtherFileIsOverwritten() {
         Document& d = *m_document;
         const std::string taken = m_fixture->write("other/robots/rover.sim", "Tick = 1\n");

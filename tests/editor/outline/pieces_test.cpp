@@ -221,6 +221,45 @@ private Q_SLOTS:
         }
     }
 
+    /// Whichever of the objects it is, and also for what is in it.
+    void aLockedObjectIsNotDeleted() {
+        OutlineFixture o;
+        QVERIFY(o.open(kRovers));
+        o.marks.setLocked({"arena"}, true);
+        for (const std::vector<std::string>& paths :
+             {std::vector<std::string>{"arena"}, {"arena", "robot1"}, {"robot1", "arena"}, {"path", "robot1", "arena"}}) {
+            o.refusals.clear();
+            QVERIFY(!o.edits.remove(paths).ok());
+            QCOMPARE(o.text(), kRovers);
+            QCOMPARE(o.refusals.size(), 1);
+            QVERIFY2(o.refusals[0].contains(QStringLiteral("arena")), qPrintable(o.refusals[0]));
+            o.selection.set(paths);
+            o.edits.removeSelected();
+            QCOMPARE(o.text(), kRovers);
+        }
+        o.marks.setLocked({"RobotConfig.Rover.chassis"}, true);
+        QVERIFY(!o.edits.remove({"robot1", "RobotConfig.Rover.chassis.bumper"}).ok());
+        QCOMPARE(o.text(), kRovers);
+        o.marks.setLocked({"arena"}, false);
+        QVERIFY(o.edits.remove({"robot1", "arena"}).ok());
+        QVERIFY(!o.text().contains("Robot robot1") && !o.text().contains("Static arena") && o.text().contains("Robot robot0"));
+    }
+
+    /// Members of a Grid or Scatter that are selected elsewhere: robots and scenery, the first and the last.
+    void selectedMembersAreFound() {
+        OutlineFixture o;
+        QVERIFY(o.open(kRovers + "StaticConfig Stone { Box b { Size=0.1,0.2,0.3 } }\nStatic stone { Config=Stone Pos=0,9,0 }\n"
+                                 "Grid stones { Config=Stone Pos=5,5,0 Count=3,2 Spacing=1 }\n"
+                                 "Grid swarm { Config=Rover Pos=-5,5,0 Count=2,1 Spacing=1 }\n"
+                                 "Grid rocks { Config=Stone Pos=5,-5,0 Count=1,2 Spacing=1 }\n"));
+        for (const char* member : {"stones_0", "stones_5", "swarm_0", "rocks_1", "swarm_1", "rocks_0", "stone", "robot1"}) {
+            o.selection.select(member);
+            QCOMPARE(o.marked(), QLatin1String(member));
+        }
+        o.selection.select("stones_6"); // there is none
+        QVERIFY(o.marked() != QStringLiteral("rocks_0"));
+    }
+
     /// A problem counts for its block and all around it, up to the first byte behind the block.
     void problemsCountForTheirBlocks() {
         OutlineFixture o;

@@ -68,6 +68,61 @@ private Q_SLOTS:
         QCOMPARE(messagesOf(model), QByteArray("of all too, early, late, of all, hint"));
     }
 
+    /// By letters of the message or of the code.
+    void filter() {
+        RowsFixture fixture;
+        QVERIFY(fixture.open("Tick = 0.01\n"));
+        Diagnostic other = problem("No module", {0, {3, 4}}, Severity::Warning);
+        other.code = Code::ControllerFailed;
+        ProblemsModel model;
+        model.setLoaded(fixture.document.loaded());
+        model.setModelProblems({problem("odd wheel", {0, {1, 2}}), other}, fixture.document.loaded());
+        const QString odd = QString::fromStdString(codeName(Code::OddInertia)),
+                      failed = QString::fromStdString(codeName(Code::ControllerFailed));
+        QVERIFY(odd != failed);
+        const auto found = [&](const QString& words, bool errors = true, bool warnings = true) {
+            model.setFilter(errors, warnings, words);
+            return messagesOf(model);
+        };
+        QCOMPARE(found({}), QByteArray("odd wheel, No module"));
+        QCOMPARE(found(odd), QByteArray("odd wheel"));
+        QCOMPARE(found(failed), QByteArray("No module"));
+        QCOMPARE(found(failed.toLower()), QByteArray("No module"));
+        QCOMPARE(found(odd.mid(1)), QByteArray("odd wheel"));
+        QCOMPARE(found(QStringLiteral("MODULE")), QByteArray("No module"));
+        QCOMPARE(found(odd + failed), QByteArray());
+        QCOMPARE(found(odd, false), QByteArray());
+        QCOMPARE(found(failed, false), QByteArray("No module"));
+        QCOMPARE(found(failed, true, false), QByteArray());
+        QCOMPARE(model.errors(), 1); // of all
+        QCOMPARE(model.warnings(), 1);
+    }
+
+    /// A note has a place of its own, a fix that of its problem.
+    void placesOfNotes() {
+        RowsFixture fixture;
+        QVERIFY(fixture.open("Tick = 0.01 // as text\n"));
+        Diagnostic first = problem("first", {0, {1, 2}}), second = problem("second", {0, {3, 4}});
+        first.notes = {{"here", {0, {5, 6}}}};
+        second.notes = {{"there", {0, {7, 8}}}, {"and there", {0, {9, 10}}}};
+        second.fixes = {{"x", {TextEdit{{0, {3, 4}}, "x"}}}};
+        ProblemsModel model;
+        model.setLoaded(fixture.document.loaded());
+        model.setModelProblems({first, second}, fixture.document.loaded());
+        const auto begin = [&](int row, std::optional<int> child = {}) {
+            const QModelIndex parent = model.index(row, 0);
+            return model.placeAt(child ? model.index(*child, 0, parent) : parent).range.begin;
+        };
+        QCOMPARE(begin(0), 1u);
+        QCOMPARE(begin(0, 0), 5u);
+        QCOMPARE(begin(1), 3u);
+        QCOMPARE(begin(1, 0), 7u);
+        QCOMPARE(begin(1, 1), 9u);
+        QCOMPARE(begin(1, 2), 3u);
+        QCOMPARE(model.diagnosticAt(model.index(1, 0, model.index(0, 0))), nullptr);
+        QCOMPARE(model.placeAt({}).range.end, 0u);
+    }
+
     void steps_data() {
         QTest::addColumn<int>("step");
         QTest::addColumn<QList<int>>("rows");
@@ -90,6 +145,49 @@ private Q_SLOTS:
             found << view->currentIndex().row();
         }
         QCOMPARE(found, rows);
+    }
+
+    /// A click opens the source at the line of the mistake, also in a file that it imports; the note leads to the #loadModule.
+    void aModuleInPythonIsAtItsLine_data() {
+        QTest::addColumn<QByteArray>("helper");
+        QTest::addColumn<QByteArray>("mind");
+        QTest::addColumn<QString>("place");
+        QTest::newRow("its own") << QByteArray("X = 1\n") << QByteArray("import helper\n\n\n  def setup(:\n")
+                                 << QStringLiteral("mind.py:4:3");
+        QTest::newRow("imported") << QByteArray("X = 1\nY = = 2\n") << QByteArray("import helper\n")
+                                  << QStringLiteral("helper.py:2:1");
+    }
+    void aModuleInPythonIsAtItsLine() {
+        QFETCH(QByteArray, helper);
+        QFETCH(QByteArray, mind);
+        QFETCH(QString, place);
+        RowsFixture fixture;
+        OpenOptions options;
+        options.trust = true;
+        fixture.document.setOptions(options);
+        ProblemsPanel panel(fixture.document, fixture.selection);
+        std::filesystem::create_directories(fixture.path("configs"));
+        std::ofstream(fixture.path("configs/helper.py")) << helper.constData();
+        std::ofstream(fixture.path("configs/mind.py")) << mind.constData();
+        QVERIFY(fixture.open("Tick = 0.01\n#loadModule mind.py\n"));
+        auto* view = panel.findChild<QTreeView*>(QStringLiteral("problems"));
+        const QAbstractItemModel& rows = *view->model();
+        QCOMPARE(rows.rowCount(), 1);
+        QCOMPARE(rows.index(0, ProblemsModel::Place).data().toString(), place);
+        std::vector<std::string> opened;
+        connect(&panel, &ProblemsPanel::jumpTo, this, [&](const std::string& file, const SourceRange&) {
+            opened.push_back(std::filesystem::path(file).filename().string());
+        });
+        const QModelIndex row = rows.index(0, 0);
+        QCOMPARE(rows.rowCount(row), 1);
+        QCOMPARE(rows.index(0, ProblemsModel::Place, row).data().toString(), QStringLiteral("main.sim:2:13"));
+        Q_EMIT view->clicked(row);
+        Q_EMIT view->clicked(rows.index(0, 0, row));
+        QCOMPARE(opened, (std::vector<std::string>{place.section(u':', 0, 0).toStdString(), "main.sim"}));
+        std::ofstream(fixture.path("configs/mind.py")) << "import trundle\n";
+        std::ofstream(fixture.path("configs/helper.py")) << "X = 1\n";
+        fixture.document.loading().readAgain();
+        QVERIFY(rows.rowCount() == 0 || !rows.index(0, ProblemsModel::Place).data().toString().contains(place));
     }
 
     /// The program gets the options that the document was opened with, the texts and the file.
@@ -120,6 +218,49 @@ private Q_SLOTS:
         check.options = {};
         QVERIFY(checkRobots(check, *fixture.document.loaded(), {}).empty());
         QCOMPARE(bytesOf(words), "check\n--robots-of-texts\n--\n" + fixture.document.loaded()->paths[0] + "\n");
+    }
+
+    /// What the program finds is shown in the file that it names, which may be an imported one.
+    void placesOfTheRobotsCheck_data() {
+        QTest::addColumn<bool>("isRun"); // the module has ended the process
+        QTest::newRow("a list") << false;
+        QTest::newRow("of a run") << true;
+    }
+    void placesOfTheRobotsCheck() {
+        QFETCH(bool, isRun);
+        RowsFixture fixture;
+        std::filesystem::create_directories(fixture.path("configs"));
+        for (const char* name : {"C", "D"})
+            std::ofstream(fixture.path("configs/") + name + ".sim")
+                << "RobotConfig " << name << " { Body b { Sphere s { Radius=1 Mass=1 } } }\n";
+        QVERIFY(fixture.open("#import C.sim\n#import D.sim\n#loadModule controllers/none\nRobot r { Config=D }\n"));
+        const LoadedProject& loaded = *fixture.document.loaded();
+        QCOMPARE(loaded.paths.size(), std::size_t(3));
+        std::string list;
+        for (const auto& [file, begin] :
+             {std::pair(loaded.paths[2], 4), {loaded.paths[0], 5}, {loaded.paths[1], 6}, {"/none", 7}})
+            list += (list.empty() ? "" : ",") + std::string("{\"code\":\"E601\",\"message\":\"m") + std::to_string(begin) +
+                    "\",\"file\":\"" + file + "\",\"begin\":" + std::to_string(begin) + ",\"end\":" + std::to_string(begin + 3) +
+                    "}";
+        const std::string json = isRun ? "{\"diagnostics\":[" + list + "]}" : "[" + list + "]",
+                          program = fixture.path("program.sh");
+        std::ofstream(program) << "#!/bin/sh\ncat > /dev/null\necho '" << json << "'\n";
+        std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+        RobotsCheck check;
+        check.program = program;
+        const std::vector<Diagnostic> found = checkRobots(check, loaded, {});
+        QCOMPARE(found.size(), std::size_t(4));
+        const FileId files[] = {2, 0, 1};
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            QCOMPARE(found[i].message, "m" + std::to_string(4 + i));
+            QCOMPARE(static_cast<int>(found[i].code), 601);
+            QVERIFY(found[i].severity == Severity::Error);
+            if (i == 3) break;
+            QCOMPARE(found[i].range.file, files[i]);
+            QCOMPARE(found[i].range.range.begin, 4 + i);
+            QCOMPARE(found[i].range.range.end, 7 + i);
+        }
+        QCOMPARE(found[3].range.range.end, 0u); // in none of the texts
     }
 };
 

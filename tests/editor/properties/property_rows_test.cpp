@@ -317,6 +317,25 @@ private Q_SLOTS:
             for (const Property& p : kind->properties) QVERIFY2(p.help.find('`') == std::string::npos, p.help.c_str());
         }
     }
+
+    /// The mark of a row shows an override if any of the selected objects has one.
+    void theMarkIsOfAllSelectedObjects() {
+        PropertiesFixture fixture;
+        QVERIFY(fixture.open("Robot plain { Config=Rover }\nRobot same { Config=Rover Pos=0,4,0 }\n"
+                             "Robot weak { Config=Rover Pos=0,2,0 leftMotor.Resistance=3 }\n"));
+        const auto mark = [&](const std::vector<std::string>& paths, const char* id = "Resistance") {
+            fixture.selection.set(paths);
+            QCoreApplication::processEvents();
+            return fixture.row(id)->findChild<QWidget*>(QStringLiteral("mark"))->grab().toImage();
+        };
+        const QImage ofConfig = mark({"plain.leftMotor"}), ofOverride = mark({"weak.leftMotor"});
+        QVERIFY(ofConfig != ofOverride);
+        QCOMPARE(mark({"plain.leftMotor", "same.leftMotor"}), ofConfig);
+        QCOMPARE(mark({"weak.leftMotor", "plain.leftMotor"}), ofOverride);
+        QCOMPARE(mark({"plain.leftMotor", "weak.leftMotor"}), ofOverride);
+        QCOMPARE(mark({"plain.leftMotor", "same.leftMotor", "weak.leftMotor"}), ofOverride);
+        QCOMPARE(mark({"plain.leftMotor", "weak.leftMotor"}, "MaxVoltage"), ofConfig); // another value of the same object
+    }
 };
 
 QTEST_MAIN(PropertyRowsTest)

@@ -7,7 +7,10 @@
 #include <QToolButton>
 
 #include "editor/document/structure_edits.h"
+#include "editor/radios/level_diagram.h"
+#include "editor/radios/packet_text.h"
 #include "editor/radios/radio_window.h"
+#include "editor/widgets/painted_text.h"
 #include "eventually.h"
 
 using namespace trundle;
@@ -221,6 +224,53 @@ Robot mote { Config=TmoteSky Pos=3,0,0 }
         payload->setFocus();
         QTest::keyClick(payload, Qt::Key_Down);
         QVERIFY(report().packetLoss < many);
+    }
+
+    /// Which is not the one that the other radio would get.
+    void swapKeepsThePower() {
+        QVERIFY(m_window->open(kMotes));
+        QVERIFY(m_window->settled());
+        budget().choose(QStringLiteral("target/radio"), QStringLiteral("motes_5/radio"), -15.);
+        QCOMPARE(budget().power(), -15.);
+        for (const QString& from : {QStringLiteral("motes_5/radio"), QStringLiteral("target/radio")}) {
+            QTest::mouseClick(m_window->find<QToolButton>("budgetSwap"), Qt::LeftButton);
+            QCOMPARE(budget().from(), from);
+            QVERIFY(budget().to() != from);
+            QCOMPARE(budget().power(), -15.);
+            QCOMPARE(report().outputPower, -15.);
+        }
+    }
+
+    /// From the power sent, by one step for each term that there is, to the power received.
+    void theLevelDiagramEndsAtTheReceivedPower_data() {
+        QTest::addColumn<double>("shadow");
+        QTest::addColumn<double>("walls");
+        QTest::addColumn<QString>("names");
+        QTest::newRow("in the open") << 0. << 0. << "send path receive";
+        QTest::newRow("shadow") << 7. << 0. << "send path shadow receive";
+        QTest::newRow("a bright place") << -7.5 << 0. << "send path shadow receive";
+        QTest::newRow("walls") << 0. << 12. << "send path walls receive";
+        QTest::newRow("both") << 7. << 12. << "send path shadow walls receive";
+    }
+    void theLevelDiagramEndsAtTheReceivedPower() {
+        QFETCH(double, shadow);
+        QFETCH(double, walls);
+        QFETCH(QString, names);
+        LinkReport r;
+        r.outputPower = 3;
+        r.link.sendGain = 2;
+        r.link.pathLoss = 61;
+        r.link.shadow = shadow;
+        r.link.wallLoss = walls;
+        r.link.receiveGain = -1.5;
+        LevelDiagram diagram;
+        diagram.resize(900, 300);
+        diagram.setLevels(LevelDiagram::Levels{r, -94, -98});
+        QStringList texts = paintedTexts(diagram);
+        QCOMPARE(texts.takeLast(), decibelText(3 + 2 - 61 - shadow - walls - 1.5));
+        QVERIFY(texts.contains(decibelText(3)));
+        texts.removeIf([&](const QString& text) { return !names.contains(text); });
+        QCOMPARE(texts.join(u' '), names);
     }
 
     void reportsOtherChannels() {

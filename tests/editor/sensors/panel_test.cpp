@@ -234,6 +234,35 @@ private Q_SLOTS:
         QVERIFY(f.row("two.north", "heading")->sizeHint().height() < high);
     }
 
+    /// That of a device beside the middle of a turned robot that rotates: its way in a tick before and after, over the time.
+    void trueVelocityIsThatOfTheDevice() {
+        SensorsFixture& f = *m_fixture;
+        QVERIFY(f.open(
+            "Tick=0.01 Gravity=0,0,0\nRobotConfig Probe { Body box { Box hull { Size=0.4,0.2,0.1 Pos=0.05,0.02,0 Mass=1 } }\n"
+            "  Gps middle { Body=box } Gps corner { Body=box Pos=0.3,0.1,0 } }\n"
+            "Robot other { Config=Probe Pos=0,5,0 }\nRobot one { Config=Probe HPR=90,0,0 }\n"));
+        f.selection.select("one");
+        QVERIFY(f.runFor(0.01));
+        QVERIFY(f.session.robots().push("one/box", {2, 0, 0}, {0, 0.2, 0}));
+        QVERIFY(f.runFor(0.1));
+        f.session.robots().endPush();
+        QVERIFY(f.runFor(0.1));
+        const auto vector = [&](const char* device, const char* name) {
+            double numbers[3];
+            f.row(device, name)->reading().readTrue(*f.session.results().snapshot, numbers);
+            return Vec3(numbers);
+        };
+        const Vec3 middle = vector("one.middle", "position"), corner = vector("one.corner", "position");
+        QVERIFY(f.runFor(0.01));
+        const Vec3 ofMiddle = vector("one.middle", "velocity"), ofCorner = vector("one.corner", "velocity");
+        QVERIFY(f.runFor(0.01));
+        // 0.2 N s at 0.2 m turn it with at most 0.04 / (m (0.4² + 0.2²) / 12) = 2.4 rad/s; then the velocity of a point 0.32 m
+        // from its middle changes by at most 2.4² * 0.32 * 0.01 = 0.02 m/s in a tick.
+        QVERIFY((ofMiddle - (vector("one.middle", "position") - middle) / 0.02).norm() < 0.02);
+        QVERIFY((ofCorner - (vector("one.corner", "position") - corner) / 0.02).norm() < 0.02);
+        QVERIFY((ofCorner - ofMiddle).norm() > 0.2);
+    }
+
     void limitsComeFromTheProperties() {
         SensorsFixture& f = *m_fixture;
         QVERIFY(f.open(kStation));

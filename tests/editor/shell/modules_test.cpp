@@ -120,13 +120,14 @@ private Q_SLOTS:
         m_window->session().reset();
     }
 
+    /// The selected robot keeps its controller.
     void aComponent() {
-        m_window->actions().at("controllers.newComponent").trigger();
-        auto* dialog = m_window->findChild<QDialog*>(QStringLiteral("newModule"));
-        QVERIFY(dialog);
-        dialog->findChild<QLineEdit*>(QStringLiteral("moduleName"))->setText(QStringLiteral("Feeler"));
-        dialog->findChild<QPushButton*>(QStringLiteral("moduleCreate"))->click();
+        m_window->selection().select("rover");
+        makeNew("Wander", true);
+        m_window->selection().select("rover");
+        makeComponent("Feeler", false);
         awaitBuild();
+        QVERIFY(text().find("Feeler") == std::string::npos && text().find("Wander brain") != std::string::npos);
         QVERIFY2(m_result->succeeded, qPrintable(m_result->failure));
         QVERIFY2(text().find("#loadModule feeler/build/feeler\n") != std::string::npos, text().c_str());
         QVERIFY(m_window->document().loaded()->registry->find("Feeler"));
@@ -134,12 +135,15 @@ private Q_SLOTS:
 
     /// Its reading follows the file at the next start.
     void aComponentInPython() {
-        m_window->actions().at("controllers.newComponent").trigger();
-        auto* dialog = m_window->findChild<QDialog*>(QStringLiteral("newModule"));
-        QVERIFY(dialog);
-        dialog->findChild<QRadioButton*>(QStringLiteral("modulePython"))->click();
-        dialog->findChild<QLineEdit*>(QStringLiteral("moduleName"))->setText(QStringLiteral("Whisker"));
-        dialog->findChild<QPushButton*>(QStringLiteral("moduleCreate"))->click();
+        m_window->selection().select("rover");
+        makeNew("Wander", true);
+        m_window->selection().select("rover");
+        const std::string before = text();
+        makeComponent("Whisker", true);
+        QVERIFY(text().find("Whisker") == std::string::npos && text().find("Wander brain") != std::string::npos);
+        m_window->document().edits().undo(); // one entry
+        QCOMPARE(text(), before);
+        m_window->document().edits().redo();
         QCOMPARE(page()->edit().styling().language(), CodeLanguage::Python);
         QVERIFY2(text().find("#loadModule whisker/whisker\n") != std::string::npos, text().c_str());
         const Kind* kind = m_window->document().loaded()->registry->find("Whisker");
@@ -157,6 +161,57 @@ private Q_SLOTS:
         m_window->actions().at("controllers.build").trigger(); // saves
         m_window->session().run();
         EVENTUALLY(value("scout/eye/distance") == 4);
+        m_window->session().reset();
+    }
+
+    /// A field, then a mistake, then its repair: Properties, Problems and the state of the run follow each save, without a run.
+    void savingPythonShowsWhatItChanged() {
+        m_window->selection().select("rover");
+        makeNew("Wander", true);
+        m_window->selection().select("rover.brain");
+        const auto row = [this](const char* name) {
+            return m_window->findChild<QWidget*>(QStringLiteral("row.") + QLatin1String(name));
+        };
+        const auto state = [this] { return m_window->findChild<QLabel*>(QStringLiteral("transportState"))->text(); };
+        QTest::qWait(200); // the first look at the files
+        replace("    def setup(", "    extra = field(\"Extra\", 1.0, trundle.number(), \"More.\")\n\n    def setup(");
+        QVERIFY(!m_window->document().loaded()->registry->find("Wander")->find("Extra"));
+        m_window->actions().at("file.save").trigger();
+        EVENTUALLY(m_window->document().loaded()->registry->find("Wander")->find("Extra"));
+        EVENTUALLY(row("Extra"));
+        replace("def update(self", "def update((self");
+        m_window->actions().at("file.save").trigger();
+        EVENTUALLY_EQUAL(problems().rowCount(), 1);
+        QCOMPARE(problems().index(0, ProblemsModel::CodeColumn).data().toString(), QStringLiteral("E414"));
+        QCOMPARE(state(), QStringLiteral("Cannot run"));
+        replace("def update((self", "def update(self");
+        m_window->actions().at("file.save").trigger();
+        EVENTUALLY_EQUAL(problems().rowCount(), 0);
+        QCOMPARE(state(), QStringLiteral("At start"));
+        m_window->actions().at("sim.run").trigger();
+        EVENTUALLY(value("rover/base/linearVelocity") > 0.1);
+        m_window->session().reset();
+    }
+
+    /// The experiment with its edits, which runs as it is here, is not saved.
+    void runSavesPython() {
+        m_window->selection().select("rover");
+        makeNew("Wander", true);
+        m_window->actions().at("file.save").trigger();
+        replace("self.drive.move(self.speed,", "self.drive.move(-self.speed,");
+        QVERIFY(m_window->text().openFile(path("main.sim").toStdString()));
+        replace("Robot rover {", "Robot rover { Pos=1,2,0");
+        QCOMPARE(m_window->document().texts().modifiedFiles().size(), std::size_t(2));
+        m_window->actions().at("sim.run").trigger();
+        QCOMPARE(m_window->document().texts().modifiedFiles(), std::vector{path("main.sim").toStdString()});
+        EVENTUALLY(value("rover/base/linearVelocity") < -0.1);
+        m_window->actions().at("sim.pause").trigger();
+        EVENTUALLY(m_window->session().state() == RunState::Paused);
+        QVERIFY(m_window->text().openFile(path("wander/wander.py").toStdString()));
+        replace("self.drive.move(-self.speed,", "self.drive.move(self.speed,");
+        m_window->actions().at("sim.run").trigger(); // goes on, with the new code
+        QVERIFY(!m_window->document().texts().isModified(page()->file()));
+        EVENTUALLY(value("rover/base/linearVelocity") > 0.1);
         m_window->session().reset();
     }
 
@@ -249,6 +304,15 @@ private:
         QVERIFY(dialog->findChild<QCheckBox*>(QStringLiteral("moduleUse"))->text().contains(QStringLiteral("rover")));
         dialog->findChild<QPushButton*>(QStringLiteral("moduleCreate"))->click();
         QVERIFY(page());
+    }
+    void makeComponent(const char* kind, bool python) {
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // an earlier dialog
+        m_window->actions().at("controllers.newComponent").trigger();
+        auto* dialog = m_window->findChild<QDialog*>(QStringLiteral("newModule"));
+        QVERIFY(dialog);
+        if (python) dialog->findChild<QRadioButton*>(QStringLiteral("modulePython"))->click();
+        dialog->findChild<QLineEdit*>(QStringLiteral("moduleName"))->setText(QLatin1String(kind));
+        dialog->findChild<QPushButton*>(QStringLiteral("moduleCreate"))->click();
     }
     /// Types over the first place of a text.
     void replace(const char* from, const char* to) {

@@ -9,6 +9,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "editor/document/structure_edits.h"
 #include "editor/running/panels/trust.h"
 #include "editor/running/session.h"
 #include "editor/shell/window_fixture.h"
@@ -108,6 +109,15 @@ private Q_SLOTS:
         QVERIFY(path.worst < 0.02 * side && std::abs(path.across - side) < 0.02 * side);
         QVERIFY(counter.clicks <= 10);
         session.reset();
+        QVERIFY(document.structure()
+                    .apply(QStringLiteral("Insert"), {"RobotConfig.Rover"},
+                           [](const LoadedProject& loaded, const StructureEdits::PathMapping& renamed) {
+                               return planInsert(loaded, renamed("RobotConfig.Rover"),
+                                                 "Body arm { Sphere s { Radius=0.1 Mass=1 } }");
+                           })
+                    .ok());
+        QCOMPARE(document.texts().modifiedFiles(),
+                 std::vector{real("rover/rover.sim").toStdString()}); // no question: it is used once
     }
 
     /// By the keys alone: a dimension in centimetres, the name, Enter.

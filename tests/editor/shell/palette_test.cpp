@@ -32,6 +32,23 @@ private Q_SLOTS:
         QCOMPARE(found("Insert PoseLog"), QStringList{QStringLiteral("Insert PoseLog")}); // also the second time
     }
 
+    /// The entries of the history have the names of what was edited.
+    void undoIsLastUnlessItIsTyped() {
+        m_window->selection().select("robot0");
+        Document& document = m_window->document();
+        const std::string text = *document.texts().text(document.path()) + "PoseLog path { Robot=robot0 }\n";
+        QVERIFY(document.edits().replaceText(QStringLiteral("Add PoseLog"), document.path(), text).ok());
+        const QString undo = QStringLiteral("Undo Add PoseLog");
+        QCOMPARE(found("PoseLog"), (QStringList{QStringLiteral("Insert PoseLog"), undo}));
+        QCOMPARE(found("undo").value(0), undo);
+        QCOMPARE(found("und pose").value(0), undo);
+    }
+
+    void submenusHaveNoMnemonics() {
+        QVERIFY2(found("Ground Plain") == QStringList{QStringLiteral("Test Drive Ground: Plain Floor")},
+                 qPrintable(found("Plain Floor").join(u',')));
+    }
+
     void panelsAreFoundByTheirNames() {
         QCOMPARE(found("radio show"), QStringList{QStringLiteral("Show Radio")});
         QLineEdit& search = open();

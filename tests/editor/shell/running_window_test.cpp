@@ -9,6 +9,7 @@
 
 #include "editor/document/structure_edits.h"
 #include "editor/outline/object_marks.h"
+#include "editor/properties/editors/value_field.h"
 #include "editor/shell/window_fixture.h"
 #include "editor/shell/work_area.h"
 #include "editor/text/code/code_edit.h"
@@ -70,6 +71,19 @@ private Q_SLOTS:
         EVENTUALLY(program.state() == QProcess::NotRunning);
         QCOMPARE(program.readAll().trimmed(), QByteArray("3"));
         dialog->close();
+    }
+
+    /// Typed in Properties, without Enter.
+    void theRunHasWhatIsTypedInARow() {
+        EVENTUALLY(m_window->findChild<QWidget*>(QStringLiteral("row.Tick")));
+        auto* field = m_window->findChild<QWidget*>(QStringLiteral("row.Tick"))->findChild<ValueField*>();
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, QStringLiteral("0.004"));
+        QTest::keyClick(field, Qt::Key_F10);
+        EVENTUALLY_EQUAL(m_window->session().state(), RunState::Paused);
+        QCOMPARE(m_window->session().results().experiment->settings.tick, 0.004);
+        QVERIFY(m_window->session().edits().waitingText().isEmpty());
     }
 
     /// Colours that are part of a text or a style sheet follow the theme too.

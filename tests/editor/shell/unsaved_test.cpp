@@ -7,6 +7,7 @@
 #include <QtTest>
 
 #include "editor/document/structure_edits.h"
+#include "editor/properties/editors/value_field.h"
 #include "editor/shell/unsaved_files.h"
 #include "editor/shell/window_fixture.h"
 #include "editor/widgets/name_list.h"
@@ -72,6 +73,35 @@ private Q_SLOTS:
         QCOMPARE(tabs(), (QStringList{QStringLiteral("main.sim"), QStringLiteral("rover.sim"), QStringLiteral("looks.sim")}));
     }
 
+    /// Typed without Enter: saved with Ctrl+S, and never lost without a question.
+    void whatIsTypedInARowIsSaved() {
+        ValueField* field = typeTick("0.02");
+        QVERIFY(!document().texts().isModified());
+        QTest::keyClick(field, Qt::Key_S, Qt::ControlModifier);
+        QVERIFY2(onDisk("main.sim").contains("Tick=0.02") || onDisk("main.sim").contains("Tick = 0.02"),
+                 onDisk("main.sim").constData());
+        QVERIFY(!document().texts().isModified());
+    }
+
+    void closingAsksAboutWhatIsTypedInARow() {
+        typeTick("0.02");
+        const QString asked = question();
+        QVERIFY2(asked.contains(QStringLiteral("main.sim")), qPrintable(asked));
+        QVERIFY(document().isOpen());
+    }
+
+    /// As on losing the focus: it stays, in red, and the rest is saved.
+    void aRefusedValueDoesNotStopSaving() {
+        edit("looks.sim");
+        ValueField* field = typeTick("1 kg");
+        QTest::keyClick(field, Qt::Key_S, Qt::ControlModifier);
+        QVERIFY(field->refused());
+        QCOMPARE(field->text(), QStringLiteral("1 kg"));
+        QVERIFY(onDisk("looks.sim").contains("// more"));
+        QVERIFY(!onDisk("main.sim").contains("Tick"));
+        field->restore();
+    }
+
     void longListsAreCut() {
         const QStringList names{QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c"), QStringLiteral("d")};
         QCOMPARE(listed(names, 4), QStringLiteral("a, b, c, d"));
@@ -109,6 +139,22 @@ private Q_SLOTS:
         QCOMPARE(unsavedFiles(document()), QStringList{QStringLiteral("rover.sim")});
     }
 
+    /// No other file and no other robot uses Single, though it is in a file of its own.
+    void aConfigUsedOnceIsNotShared() {
+        write("once.sim", "#import single.sim\nRobot robot0 { Config=Single }\n");
+        write("single.sim", QByteArray(kRover).replace("Rover", "Single"));
+        QVERIFY(m_window->open(path("once.sim")));
+        EVENTUALLY(document().path() == path("once.sim").toStdString());
+        insert();
+        QVERIFY(!m_window->findChild<QMessageBox*>(QStringLiteral("shareQuestion")));
+        QCOMPARE(unsavedFiles(document()), QStringList{QStringLiteral("single.sim")});
+        document().edits().undo();
+        write("twice.sim", "#import single.sim\nRobot other { Config=Single }\n");
+        insert();
+        QVERIFY(m_window->findChild<QMessageBox*>(QStringLiteral("shareQuestion")));
+        QVERIFY(!document().texts().isModified());
+    }
+
     /// The selection stays, except for what an edit inserts, renames or removes.
     void anEditKeepsTheSelection() {
         const auto apply = [this](const StructureEdits::Plan& plan) {
@@ -137,6 +183,24 @@ private:
         const std::string file = path(name).toStdString();
         QVERIFY(
             document().edits().replaceText(QStringLiteral("Typing"), file, *document().texts().text(file) + "// more\n").ok());
+    }
+    /// Without Enter.
+    ValueField* typeTick(const char* value) {
+        m_window->selection().clear();
+        const auto find = [this] {
+            const auto* row = m_window->findChild<QWidget*>(QStringLiteral("row.Tick"));
+            return row ? row->findChild<ValueField*>() : nullptr;
+        };
+        if (!QTest::qWaitFor(find, kTimeoutMs)) qFatal("there is no row for Tick");
+        ValueField* field = find();
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, QLatin1String(value));
+        return field;
+    }
+    [[nodiscard]] QByteArray onDisk(const char* name) const {
+        QFile file(path(name));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     }
     void insert() {
         QVERIFY(document()

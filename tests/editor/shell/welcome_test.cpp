@@ -271,7 +271,16 @@ private Q_SLOTS:
         QCOMPARE(document.recovery().recoveries().size(), 1u);
     }
 
+    void whyAFileIsNotOpenedIsNotHidden_data() {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QString>("shown");
+        QTest::newRow("no file") << QStringLiteral("/nowhere/none.sim") << QStringLiteral("none.sim");
+        QTest::newRow("a program") << QStringLiteral(TRUNDLE_SOURCE_DIR "/core/sdk/python/trundle/driver.py")
+                                   << QStringLiteral("driver.py is not an experiment");
+    }
     void whyAFileIsNotOpenedIsNotHidden() {
+        QFETCH(QString, file);
+        QFETCH(QString, shown);
         m_window = m_fixture.window();
         m_window->show();
         QString reportOf;
@@ -285,10 +294,11 @@ private Q_SLOTS:
             message->accept();
         });
         look.start(1);
-        QVERIFY(m_window->open(QStringLiteral("/nowhere/none.sim")));
+        QVERIFY(m_window->open(file));
         EVENTUALLY(!reportOf.isEmpty());
-        QVERIFY2(reportOf.contains(QStringLiteral("none.sim")), qPrintable(reportOf));
-        QVERIFY(!covered);
+        QVERIFY2(reportOf.contains(shown), qPrintable(reportOf));
+        QVERIFY(!covered && !m_window->document().isOpen());
+        QVERIFY(recentFiles().isEmpty());
     }
 
     /// A file with only a config has nothing to show or run, so an experiment is made for it.

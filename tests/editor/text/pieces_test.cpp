@@ -20,6 +20,7 @@ private Q_SLOTS:
     void splicesAreSmall_data();
     void splicesAreSmall();
     void splicesGiveTheOtherText();
+    void aCaretStaysAtItsText();
     void mergesWhatTwoDid_data();
     void mergesWhatTwoDid();
     void stylesOfWords();
@@ -68,6 +69,17 @@ void PiecesTest::splicesGiveTheOtherText() {
         QCOMPARE(QByteArray::fromStdString(spliced(from, splices)), QByteArray::fromStdString(to));
         for (std::size_t at = 0; at <= from.size(); ++at) QVERIFY(movedOffset(at, splices) <= to.size());
     }
+}
+
+/// It is behind what is inserted at it, and at the end of what replaces the text around it.
+void PiecesTest::aCaretStaysAtItsText() {
+    const std::vector<Splice> splices = {{2, 0, "xyz"}, {5, 3, "Q"}, {10, 1, ""}}; // 0123456789AB: 01xyz234Q89B
+    QCOMPARE(spliced("0123456789AB", splices), std::string("01xyz234Q89B"));
+    const std::size_t expected[] = {0, 1, 5, 6, 7, 9, 9, 9, 9, 10, 11, 11, 12};
+    for (std::size_t at = 0; at < std::size(expected); ++at) QCOMPARE(movedOffset(at, splices), expected[at]);
+    QCOMPARE(movedOffset(0, {{0, 0, "// "}}), std::size_t(3));
+    QCOMPARE(movedOffset(4, {{4, 0, "end"}}), std::size_t(7));
+    QCOMPARE(movedOffset(4, {}), std::size_t(4));
 }
 
 void PiecesTest::mergesWhatTwoDid_data() {

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QTabWidget>
 
 #include "editor/text/two_balls.h"
 #include "eventually.h"
@@ -20,6 +21,7 @@ private Q_SLOTS:
     void rejectsRenameWithoutName();
     void listsWhatIsFoundInFiles();
     void findsInAllFiles();
+    void countsInTheShownPage();
     void replacesAllAsOneEntry();
     void replacesOneByOne();
     void reportsInvalidExpression();
@@ -171,6 +173,24 @@ void SearchTest::findsInAllFiles() {
     QTest::keyClick(find, Qt::Key_Escape);
     QVERIFY(!find->isVisible());
     QVERIFY(w.edit().hasFocus());
+}
+
+void SearchTest::countsInTheShownPage() {
+    TwoBalls w;
+    QVERIFY(w.panel.openFile(w.parts));
+    auto* tabs = w.child<QTabWidget>("textTabs");
+    tabs->setCurrentIndex(0);
+    w.edit().setFocus();
+    w.caretAt("Tick");
+    w.key(Qt::Key_F, Qt::ControlModifier);
+    QTest::keyClicks(w.child<QLineEdit>("findText"), QStringLiteral("robot"));
+    const auto* shown = w.child<QLabel>("findSaid");
+    QCOMPARE(shown->text(), QStringLiteral("1 of 3"));
+    tabs->setCurrentIndex(1);
+    QCOMPARE(shown->text(), QStringLiteral("1 found"));
+    tabs->setCurrentIndex(0);
+    QCOMPARE(shown->text(), QStringLiteral("1 of 3"));
+    w.document.opening().close();
 }
 
 void SearchTest::replacesAllAsOneEntry() {

@@ -4,6 +4,7 @@
 #include "editor/document/structure_edits.h"
 #include "editor/viewport/context/viewport_scene.h"
 #include "editor/viewport/overlays/mass_overlay.h"
+#include "editor/viewport/tools/measure_tool.h"
 #include "editor/viewport/view_window.h"
 #include "eventually.h"
 
@@ -378,6 +379,19 @@ private Q_SLOTS:
         const std::vector<PlacedLabel> labels = placeLabels(std::vector{wide, narrow}, metrics, area);
         QVERIFY(area.contains(labels[0].rect) && labels[0].rect.height() > 2 * metrics.height());
         QVERIFY(labels[1].rect.height() < 2 * metrics.height() && !labels[1].rect.intersects(labels[0].rect));
+    }
+
+    void aThirdPointBeginsAnotherMeasurement() {
+        Measurement measured;
+        const Vec3 points[] = {{1, 2, 3}, {4, 0, 1}, {-1, 5, 0}, {2, 2, 8}, {7, 0, 0}};
+        for (std::size_t i = 0; i < std::size(points); ++i) {
+            measured.setNext(Vec3(9, 9, 9));
+            measured.add(points[i]);
+            QVERIFY(!measured.next()); // until the cursor moves
+            QCOMPARE(measured.points(), i % 2 ? (std::vector<Vec3>{points[i - 1], points[i]}) : std::vector<Vec3>{points[i]});
+        }
+        measured.clear();
+        QVERIFY(measured.points().empty());
     }
 
     void oneMeasuresFromOneViewToAnother() {
