@@ -30,8 +30,8 @@ Medium::Medium(const MediumSettings& settings)
 RadioId Medium::open(RadioDefinition definition) {
     const auto id = static_cast<RadioId>(m_radios.size());
     const auto taken = [&](std::uint32_t address) {
-        return std::any_of(m_radios.begin(), m_radios.end(),
-                           [&](const RadioState& r) { return r.definition.address == address; });
+        return m_reserved.contains(address) || std::any_of(m_radios.begin(), m_radios.end(),
+                                                           [&](const RadioState& r) { return r.definition.address == address; });
     };
     if (definition.address == 0)
         for (definition.address = id + 1; taken(definition.address);) ++definition.address;

@@ -4,6 +4,7 @@
 // no sequential random stream; simultaneous events are ordered by radio.
 
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -20,6 +21,8 @@ public:
 
     // --- setup ---
     [[nodiscard]] RadioId open(RadioDefinition definition);
+    /// Keeps an address for a radio that is opened later and asks for it: one without an address gets another.
+    void reserve(std::uint32_t address) { m_reserved.insert(address); }
     void setWalls(WallCount walls) { m_layer.setWalls(std::move(walls)); }
 
     // --- each tick ---
@@ -59,6 +62,7 @@ private:
     MediumSettings m_settings;
     std::vector<RadioState> m_radios;
     std::unordered_map<std::string, RadioId> m_byPath; // iteration order is never used
+    std::set<std::uint32_t> m_reserved;                // addresses
     RadioEvents m_events;
     PhysicalLayer m_layer;
     MediumAccess m_access;

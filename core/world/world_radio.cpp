@@ -18,6 +18,9 @@ WorldRadio::WorldRadio(const ExperimentSpec& experiment, const Engine& engine, c
     : m_engine(engine), m_objects(objects), m_medium(experiment.medium) {
     m_medium.setWalls(
         [this](RadioId first, const Vec3& a, RadioId second, const Vec3& b) { return solids(first, a, second, b); });
+    for (const RobotSpec& robot : experiment.robots)
+        for (const ComponentSpec& device : robot.config->devices)
+            if (device.kind == "Transceiver") m_medium.reserve(static_cast<std::uint32_t>(device.number("Address")));
 }
 
 RadioId WorldRadio::open(RadioDefinition definition, const RadioMount& mount) {

@@ -44,6 +44,44 @@ private Q_SLOTS:
         QVERIFY(std::ranges::any_of(said.all(), [](const Diagnostic& d) { return d.code == Code::WheelGeometry; }));
     }
 
+    /// Upright 0.5 kg with its centre 0.05 m above the hinge: 0.245 N m * sin(angle), which 0.2 N m hold up to 54.6 degrees.
+    void aServoNeedsToHoldItsArmBetweenItsStopsAlone_data() {
+        QTest::addColumn<QString>("stops");
+        QTest::addColumn<QString>("at"); ///< degrees where it is hardest; empty: nothing is reported
+        QTest::newRow("both near") << "LowStop=-50 HighStop=40"
+                                   << "";
+        QTest::newRow("the other way") << "LowStop=-40 HighStop=50"
+                                       << "";
+        QTest::newRow("high stop far") << "LowStop=-50 HighStop=60"
+                                       << "60 degrees";
+        QTest::newRow("low stop far") << "LowStop=-60 HighStop=50"
+                                      << "-60 degrees";
+        QTest::newRow("both far") << "LowStop=-60 HighStop=70"
+                                  << "70 degrees";
+        QTest::newRow("no high stop") << "LowStop=-50"
+                                      << "90";
+        QTest::newRow("no low stop") << "HighStop=50"
+                                     << "-90";
+    }
+    void aServoNeedsToHoldItsArmBetweenItsStopsAlone() {
+        QFETCH(const QString, stops);
+        QFETCH(const QString, at);
+        const auto loaded =
+            m_fixture.open(kThings +
+                           "RobotConfig B { Body chassis { Box b { Size=0.3,0.2,0.1 Mass=5 } }\n"
+                           "  Body mast { Pos=0,0,0.12 Box b { Size=0.04,0.04,0.1 Mass=0.5 } }\n"
+                           "  Hinge tip { Parent=chassis Child=mast Axis=0,1,0 Anchor=0,0,0.07 " +
+                           stops.toStdString() +
+                           " }\n  Servo arm { Joint=tip MaxTorque=0.2 MaxSpeed=3 } }\nRobot r { Config=B Pos=0,0,0.05 }\n");
+        QVERIFY(loaded && !loaded->diagnostics.hasErrors());
+        const Diagnostics found = CheckFixture::check(*loaded);
+        const std::string shown = CheckFixture::shown(*loaded, found);
+        QVERIFY2(found.all().size() == (at.isEmpty() ? 0u : 1u), shown.c_str());
+        if (at.isEmpty()) return;
+        QCOMPARE(found.all()[0].code, Code::WeakMotor);
+        QVERIFY2(QString::fromStdString(found.all()[0].message).contains("cannot hold tip everywhere: at " + at), shown.c_str());
+    }
+
     /// Materials and Surfaces that are used through an expression.
     void namesInExpressions() {
         const std::string text = kThings + "Material mine { } Material yours { } Surface grip { } Surface ice { }\n"

@@ -115,6 +115,37 @@ private Q_SLOTS:
         const Diagnostics after = CheckFixture::check(*again);
         QVERIFY2(after.all().empty(), (repaired + CheckFixture::shown(*again, after)).c_str());
     }
+
+    /// The robot goes out of the other one the shortest way: by how deep it is in it and no more than 1 mm farther, to no other side.
+    void theShortestWayOut_data() {
+        QTest::addColumn<Vec3>("offset"); ///< m, of two cubes with sides of 0.2 m
+        QTest::addColumn<Vec3>("moved");  ///< until they touch
+        QTest::newRow("along x") << Vec3(0.17, 0.05, 0) << Vec3(0.2, 0.05, 0);
+        QTest::newRow("against x") << Vec3(-0.16, 0.06, 0) << Vec3(-0.2, 0.06, 0);
+        QTest::newRow("along y") << Vec3(0.05, 0.15, 0) << Vec3(0.05, 0.2, 0);
+        QTest::newRow("against y") << Vec3(-0.04, -0.16, 0) << Vec3(-0.04, -0.2, 0);
+        QTest::newRow("onto it") << Vec3(0.17, 0.05, 0.18) << Vec3(0.17, 0.05, 0.2);
+    }
+    void theShortestWayOut() {
+        QFETCH(const Vec3, offset);
+        QFETCH(const Vec3, moved);
+        const auto text = [](const Vec3& at) {
+            return "Robot s { Config=Crate Pos=" + std::to_string(at.x()) + "," + std::to_string(at.y()) + "," +
+                   std::to_string(at.z()) + " }\n";
+        };
+        const Vec3 first(2, -3, 0.1);
+        const auto loaded = m_fixture.open(kThings + "Robot r { Config=Crate Pos=2,-3,0.1 }\n" + text(first + offset));
+        QVERIFY(loaded && !loaded->diagnostics.hasErrors());
+        const Diagnostics found = CheckFixture::check(*loaded);
+        QVERIFY2(found.all().size() == 1 && found.all()[0].fixes.size() == 1, CheckFixture::shown(*loaded, found).c_str());
+        const std::string repaired = CheckFixture::applied(*loaded, found.all()[0].fixes[0]);
+        const auto again = m_fixture.open(repaired);
+        QVERIFY2(again && again->experiment->robots.size() == 2, repaired.c_str());
+        const Vec3 farther = again->experiment->robots[1].pose.position - (first + moved), way = (moved - offset).normalized();
+        QVERIFY2(farther.dot(way) > 0 && farther.dot(way) < 1e-3, repaired.c_str());
+        QVERIFY2((farther - farther.dot(way) * way).norm() < 1e-6, repaired.c_str());
+        QVERIFY((again->experiment->robots[0].pose.position - first).norm() < 1e-12);
+    }
 };
 
 QTEST_APPLESS_MAIN(FixesTest)

@@ -55,6 +55,28 @@ private Q_SLOTS:
         QVERIFY(functionAt(start) != name.toStdString());
     }
 
+    /// Wherever the repetitions are, also at the end; and what is no repetition is shown each time.
+    void repetitionsAreCounted() {
+        const auto frame = [](const char* function, int line) { return SourceFrame{function, "a.cpp", line, "liba.so+0x1"}; };
+        const SourceFrame deep = frame("deep()", 7), other = frame("deep()", 8), start = frame("start()", 9),
+                          sdk{"call()", "/opt/include/trundle/abi.h", 3, {}};
+        const auto shown = [](const std::vector<SourceFrame>& frames) {
+            QStringList lines;
+            for (const std::string& line : backtraceOf(frames)) lines << QString::fromStdString(line);
+            return lines.join(" | ");
+        };
+        const QString d = "deep() at a.cpp:7", o = "deep() at a.cpp:8", s = "start() at a.cpp:9",
+                      more = "\u2026 %1 more of the same";
+        QCOMPARE(shown({}), QString());
+        QCOMPARE(shown({deep}), d);
+        QCOMPARE(shown({deep, deep, deep, deep}), d + " | " + more.arg(3));
+        QCOMPARE(shown({start, deep, deep}), s + " | " + d + " | " + more.arg(1));
+        QCOMPARE(shown({deep, deep, deep, start}), d + " | " + more.arg(2) + " | " + s);
+        QCOMPARE(shown({deep, deep, other, other, other}), d + " | " + more.arg(1) + " | " + o + " | " + more.arg(2));
+        QCOMPARE(shown({deep, other, deep}), d + " | " + o + " | " + d);
+        QCOMPARE(shown({deep, sdk, deep}), d + " | " + more.arg(1)); // frames of the SDK are not shown
+    }
+
     void otherLibrariesAreLeftOut() {
         const std::string file = QCoreApplication::applicationFilePath().toStdString();
         const std::uint64_t at = offsetOf(&symbolizerSecond) + 1;

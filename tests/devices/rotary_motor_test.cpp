@@ -227,6 +227,39 @@ private Q_SLOTS:
         QVERIFY(std::abs(robot.signal("motor/current")[0] - current) < 1e-6);
     }
 
+    /// Of a held joint at 12 V, then at -4 V: I = V / R + (6 - V / R) exp(-t R / L), with the coil that it has by then.
+    void aLiveInductanceDelaysTheNextChange_data() {
+        QTest::addColumn<double>("before");
+        QTest::addColumn<double>("after"); // H
+        QTest::newRow("a coil from now on") << 0. << .4;
+        QTest::newRow("a larger one") << .1 << .8;
+        QTest::newRow("a smaller one") << .8 << .1;
+        QTest::newRow("none any more") << .4 << 0.;
+    }
+    void aLiveInductanceDelaysTheNextChange() {
+        QFETCH(double, before);
+        QFETCH(const double, after);
+        BenchRobot robot(.01);
+        robot.joint("axle").inertia = 1e12; // held
+        addMotor(robot, "motor", "axle").numbers["Inductance"] = {before};
+        QCOMPARE(robot.setup(), std::string());
+        robot.signal("motor/voltage")[0] = 12;
+        robot.run(8); // at least 20 L / R
+        QVERIFY(std::abs(robot.signal("motor/current")[0] - 6) < 1e-6);
+        BenchDevice& motor = robot.devices[0];
+        std::uint32_t index = 0;
+        while (std::string("Inductance") != motor.code->fields[index].name) ++index;
+        const TrundleValue live{&after, nullptr, 1};
+        QCOMPARE(motor.code->set(motor.instance, index, &live), 0);
+        robot.signal("motor/voltage")[0] = -4;
+        for (int i = 1; i <= 20; ++i) {
+            robot.tick();
+            const double expected = -2 + (after > 0 ? 8 * std::exp(-i * .01 * 2 / after) : 0.);
+            QVERIFY2(std::abs(robot.signal("motor/current")[0] - expected) < 1e-6,
+                     qPrintable(QString("%1 A, %2 A").arg(robot.signal("motor/current")[0]).arg(expected)));
+        }
+    }
+
     void needsExactlyOneSpeedConstant() {
         BenchRobot both(.01), neither(.01);
         addMotor(both, "motor", "axle").numbers["SpeedConstant"] = {33};

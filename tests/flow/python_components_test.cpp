@@ -97,6 +97,53 @@ private Q_SLOTS:
         }
     }
 
+    /// Discs of 0.01 kg m^2, each driven by one call of act: rates at once and after 2 s, as by the equation of motion.
+    void eachWayToDriveAJoint() {
+        QVERIFY(
+            writeFile(at("turn.py"),
+                      "import trundle\n\n\nclass Turn(trundle.Device):\n    \"\"\"It.\"\"\"\n"
+                      "    how = trundle.field('How', '', trundle.text(), 'Call.')\n"
+                      "    numbers = trundle.field('Numbers', [], trundle.number(), 'Its arguments.')\n"
+                      "    rate = trundle.output('rate', 'rad/s', 'Of the disc.')\n\n"
+                      "    def setup(self, mount):\n        self.joint, self.disc = mount.joint('pivot'), mount.body('disc')\n\n"
+                      "    def act(self, world):\n"
+                      "        if self.how == 'body_force':\n"
+                      "            x, y, z = world.body(self.disc).pose.position\n"
+                      "            world.body_force(self.disc, tuple(self.numbers), (x + 0.1, y, z))\n"
+                      "        else:\n            getattr(world, self.how)(self.joint, *self.numbers)\n\n"
+                      "    def sense(self, world):\n        self.rate = world.joint(self.joint).rate\n"));
+        QByteArray text =
+            "#loadModule turn.py\nRobotConfig R { Body disc { Cylinder c { Radius=0.1 Length=0.02 Mass=2 } }\n"
+            "  Hinge pivot { Parent=world Child=disc Axis=0,0,1 }\n  Turn turn { How=joint_torque Numbers=0,0 } }\n";
+        struct Case {
+            const char *robot, *call, *numbers;
+            double first, last; ///< rad/s, after 0.01 s and 2 s
+        };
+        const double e4 = std::exp(-4.);
+        const Case cases[] = {
+            {"servo", "servo_row", "100,0.5,0.02", 0.5, 25 * (1 - e4)}, // 0.5 N m - 0.02 rate, which reaches 25 rad/s
+            {"back", "servo_row", "-100,0.5,0.02", -0.5, -25 * (1 - e4)},
+            {"holds", "servo_row", "0.3,0.5,0.02", 0.3, 0.3},
+            {"motor", "motor_row", "8,40,0.1", 0.1, 8 - 4 * e4}, // 0.1 N m up to 4 rad/s, then (8 - rate) / 40
+            {"torque", "joint_torque", "-0.03", -0.03, -6},
+            {"force", "body_force", "0.7,0.4,0", 0.04, 8}}; // 0.1 m from the axis
+        double x = 0;
+        for (const Case& c : cases)
+            text += QByteArray("Robot ") + c.robot + " { Config=R Pos=" + QByteArray::number(x += 1) + ",0,1 turn.How=" + c.call +
+                    " turn.Numbers=" + c.numbers + " }\n";
+        for (const bool once : {true, false}) {
+            const Outcome outcome = run(text, {"--duration", once ? "0.01" : "2"});
+            QVERIFY2(outcome.code == 0, shown(outcome).right(3000));
+            const QJsonObject robots = jsonOf(outcome)["robots"].toObject();
+            for (const Case& c : cases) {
+                const double rate = robots[c.robot].toObject()["signals"].toObject()["turn/rate"].toDouble();
+                const double expected = once ? c.first : c.last;
+                QVERIFY2(std::abs(rate - expected) < 0.025 * std::abs(expected),
+                         (QByteArray(c.robot) + ' ' + QByteArray::number(rate) + ' ' + QByteArray::number(expected)).constData());
+            }
+        }
+    }
+
     /// probe.py compares all that a device can read with what must be.
     void reachesAllOfIts() {
         const QByteArray text =

@@ -277,6 +277,35 @@ private Q_SLOTS:
         QCOMPARE(signal["brain/turns"].toInt(), 50);
         QCOMPARE(signal["brain/goal"].toArray(), (QJsonArray{0.49, -1.0}));
     }
+    /// At the time of the call: in setup before the first tick, in an update at the end of its tick.
+    void whereItFinishesTheRunEnds_data() {
+        QTest::addColumn<QByteArray>("python");
+        QTest::addColumn<int>("ticks");
+        QTest::newRow("in setup") << QByteArray("    def setup(self, robot):\n        self.finish('enough')\n") << 0;
+        QTest::newRow("in setup, twice")
+            << QByteArray("    def setup(self, robot):\n        self.finish('enough')\n        self.finish('more')\n") << 0;
+        QTest::newRow("in the first update") << QByteArray("    def update(self, t):\n        self.finish('enough')\n") << 1;
+        QTest::newRow("in the second update")
+            << QByteArray("    def update(self, t):\n        if self.time > 0: self.finish('enough')\n") << 31;
+        QTest::newRow("never") << QByteArray() << 100;
+    }
+    void whereItFinishesTheRunEnds() {
+        QFETCH(QByteArray, python);
+        QFETCH(int, ticks);
+        if (!python.contains("update")) python += "    def update(self, t):\n        pass\n";
+        for (const char* isolation : {"robot", "module"}) {
+            const Outcome outcome = run(withModule("import trundle\nclass Mine(trundle.Controller):\n" + python,
+                                                   QByteArray("Mine brain { UpdatePeriod=0.3 Isolation=") + isolation + " }"),
+                                        {"--modules", m_folder.path()});
+            QVERIFY2(outcome.code == 0, shown(outcome));
+            const QJsonObject json = jsonOf(outcome);
+            QCOMPARE(json["ticks"].toInt(), ticks);
+            QCOMPARE(json["finished"].isNull(), ticks == 100);
+            if (ticks == 100) continue;
+            QCOMPARE(json["finished"]["reason"].toString(), QStringLiteral("enough"));
+            QCOMPARE(json["finished"]["time"].toDouble(), ticks * 0.01);
+        }
+    }
     void aPublishedWholeNumberIsOne() {
         for (const QByteArray value : {"2.7", "float('nan')"}) {
             const Outcome outcome = run(withModule("import trundle\nclass Mine(trundle.Controller):\n"

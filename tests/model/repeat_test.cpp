@@ -1,6 +1,8 @@
 // Repeat and Ring: each member is what its blocks say for its number. index in Grid and Scatter.
 #include <QTest>
 
+#include <cmath>
+
 #include "model/resolve/resolve_steps.h"
 #include "model_fixture.h"
 
@@ -114,6 +116,11 @@ private Q_SLOTS:
         QTest::newRow("z") << "0,0,1" << QVector<double>{3, 0, 0} << QVector<double>{1, 2, 0};
         QTest::newRow("y") << "0,2,0" << QVector<double>{3, 0, 0} << QVector<double>{1, 0, -2};
         QTest::newRow("x") << "1,0,0" << QVector<double>{1, 2, 0} << QVector<double>{1, 0, 2};
+        // Inclined: the first is where x points to, across the axis, by the whole Radius.
+        QTest::newRow("between x and z") << "3,0,4" << QVector<double>{2.6, 0, -1.2} << QVector<double>{1, 2, 0};
+        const double third = 2 / (3 * std::sqrt(5.)); // across 2,1,2: along 5,-2,-4, then along 0,2,-1
+        QTest::newRow("all") << "2,1,2" << QVector<double>{1 + 5 * third, -2 * third, -4 * third}
+                             << QVector<double>{1, 6 * third, -3 * third};
     }
     void ringTurnsItsMembers() {
         QFETCH(QString, axis);

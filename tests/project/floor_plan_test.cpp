@@ -1,6 +1,7 @@
 // Walls from pictures: which boxes they become, that nothing is lost or added, and how many there are of a large plan.
 #include <QTest>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "lang/formatter.h"
@@ -104,6 +105,26 @@ private Q_SLOTS:
         QCOMPARE(plan.freest[0], 1.5); // m: column 6.5 of 10, each 1 m
         QCOMPARE(plan.freest[1], 0.);
         QCOMPARE(plan.room, 2.5);
+    }
+
+    /// In each quarter of the plan: x to the right of its middle, y up, as the picture is seen.
+    void theRoomIsWhereThePictureShowsIt() {
+        const std::vector<std::string> picture{"##########", "##########", "#######..#", "#######..#",
+                                               "##########", "##########", "#.....####", "#.....####",
+                                               "#.....####", "#.....####", "#.....####", "##########"};
+        for (const bool right : {false, true})
+            for (const bool top : {false, true}) {
+                std::vector<std::string> lines = picture;
+                if (top) std::ranges::reverse(lines);
+                if (right)
+                    for (std::string& line : lines) std::ranges::reverse(line);
+                FloorPlanOptions options;
+                options.width = 20; // cells of 2 m
+                const FloorPlan plan = planOf(drawn(lines), options);
+                QCOMPARE(plan.freest[0], right ? 3. : -3.); // the middle of column 3 or 6 of 0 to 9
+                QCOMPARE(plan.freest[1], top ? 5. : -5.);   // of row 8 or 3 of 0 to 11
+                QCOMPARE(plan.room, 5.);
+            }
     }
 
     void saysWhyAPlanIsRefused_data() {

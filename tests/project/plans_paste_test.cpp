@@ -75,6 +75,25 @@ private Q_SLOTS:
         QVERIFY2(text.find(joints) != std::string::npos, text.c_str());
     }
 
+    /// Each end of a spring moves with its copy, also where a line gives only one of them.
+    void bothEndsOfACopiedSpringMove() {
+        const std::string arm = "  Body arm { Box b { Size=0.1,0.1,0.1 Mass=1 Material=red Surface=floor } }\n";
+        const auto spring = [](const std::string& name, const std::string& child, const std::string& anchors) {
+            return "  Spring " + name + " { Parent=chassis Child=" + child + anchors + " Stiffness=50 Damping=1 }\n";
+        };
+        m_loaded = m_fixture.open(kMaterials + kKit + arm + spring("strut", "arm", " Anchor=0.1,0,0.2 Anchor2=0.3,-0.1,0.4") +
+                                  spring("cord", "arm", " Anchor2=0,0.25,0.5") + kRest);
+        const auto plan = planCopies(*m_loaded, {"a.arm", "a.strut", "a.cord"}, {{0.5, 0.25, -1}, {-1, 0, 2}});
+        QVERIFY2(plan.ok(), plan.ok() ? "" : plan.error().message.c_str());
+        const std::string text = m_fixture.text(m_loaded, plan);
+        for (const std::string& line :
+             {spring("strut", "arm", " Anchor=0.1,0,0.2 Anchor2=0.3,-0.1,0.4"),
+              spring("strut2", "arm2", " Anchor=0.6,0.25,-0.8 Anchor2=0.8,0.15,-0.6"),
+              spring("strut3", "arm3", " Anchor=-0.9,0,2.2 Anchor2=-0.7,-0.1,2.4"),
+              spring("cord2", "arm2", " Anchor2=0.5,0.5,-0.5"), spring("cord3", "arm3", " Anchor2=-1,0.25,2.5")})
+            QVERIFY2(text.find(line) != std::string::npos, (line + text).c_str());
+    }
+
     void pastesNestedParts() {
         const std::string pair = "PartConfig Pair {\n  Part one { Config=Wheel carrier=$base }\n  Part two { Config=Wheel "
                                  "Pos=0,0,1 carrier=$base }\n}\n";

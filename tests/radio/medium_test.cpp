@@ -251,6 +251,31 @@ private Q_SLOTS:
         QCOMPARE(count(medium, ReceptionOutcome::NotAddressed), 1u);
     }
 
+    /// A radio without an Address gets one that no other has, so a packet to it is its own.
+    void addressesThatAreNotGivenAreFree() {
+        Medium medium({});
+        RadioDefinition given = radioNamed("given"), next = radioNamed("next");
+        given.address = 2;
+        next.address = 3;
+        medium.reserve(3);
+        std::vector<RadioId> radios{open(medium, given, {0, 0, 0}), open(medium, "a", {1, 0, 0}), open(medium, next, {2, 0, 0})};
+        for (const char* name : {"b", "c", "d"}) radios.push_back(open(medium, name, {1.0 * radios.size(), 0, 0}));
+        std::set<std::uint32_t> addresses;
+        for (const RadioId id : radios) addresses.insert(medium.radio(id).address);
+        QCOMPARE(addresses.size(), radios.size());
+        QVERIFY(!addresses.contains(0) && !addresses.contains(kBroadcastAddress));
+        QCOMPARE(medium.radio(radios[0]).address, 2u);
+        QCOMPARE(medium.radio(radios[2]).address, 3u);
+        for (const RadioId to : {radios[0], radios[1], radios[3]}) {
+            send(medium, radios[5], 4, medium.radio(to).address);
+            medium.advance(10000 * (to + 1));
+            for (const RadioId id : radios) QCOMPARE(medium.pending(id), std::size_t(id == to));
+            RadioPacket packet;
+            QVERIFY(medium.receive(to, packet));
+            QCOMPARE(packet.from, medium.radio(radios[5]).address);
+        }
+    }
+
     void theStrongerSurvivesACollision() {
         MediumSettings settings;
         settings.collisions = true;

@@ -43,9 +43,12 @@ struct Peer {
     }
 };
 
-const char* const kText = "Seed = 3\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n"
-                          "Static floor { Config=OpenFloor }\nRobot r { Config=SimpleRobot }\n"
-                          "Robot r2 { Config=SimpleRobot Pos=0,1,0 }\n";
+const char* const kText =
+    "Seed = 3\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n"
+    "Static floor { Config=OpenFloor }\nRobot r { Config=SimpleRobot }\n"
+    "Robot r2 { Config=SimpleRobot Pos=0,1,0 }\n"
+    "RobotConfig C { Body b { Sphere s { Radius=0.1 Mass=1 } }\n  Compass n { Body=b } Compass n2 { Body=b }\n"
+    "  Led nn { Body=b } }\nRobot c { Config=C Pos=3,0,0.1 }\n";
 
 } // namespace
 
@@ -171,6 +174,20 @@ private Q_SLOTS:
                 if (entry.path.substr(0, entry.path.find('/')) == robot) expected.push_back(entry.path);
             QVERIFY(!expected.empty());
             QCOMPARE(paths, expected);
+        }
+    }
+
+    /// Of a kind without an interface: its own outputs, not those of a device whose name begins with its own.
+    void aDeviceIsReadByItsOutputs() {
+        Peer peer = connect();
+        for (const std::string device : {"c/n", "c/n2", "c/nn"}) {
+            const Json read = call(peer, {{"op", "read"}, {"device", device}});
+            std::set<std::string> names, expected;
+            for (const auto& [name, value] : read["data"].items()) names.insert(name);
+            for (const SignalEntry& e : m_run->world().layout().entries())
+                if (e.path.substr(0, e.path.rfind('/')) == device && e.direction == SignalDirection::Output)
+                    expected.insert(e.path.substr(device.size() + 1));
+            QVERIFY(!expected.empty() && names == expected);
         }
     }
 

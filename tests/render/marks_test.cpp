@@ -63,6 +63,33 @@ private Q_SLOTS:
         m_service->removeScene(scene);
     }
 
+    /// An object or geom that was marked before it moved is outlined where it is now, selected or hovered.
+    void marksFollowWhatMoves_data() { marksAreOutlinesInTheirColour_data(); }
+    void marksFollowWhatMoves() {
+        QFETCH(const QString, path);
+        const auto experiment = sampleExperiment({2, 1.0});
+        auto moved = std::make_shared<BodyPoses>(startPoses(*experiment));
+        const Pose motion{{0.4, -0.3, 0.1}, rotationFromHpr({0.6, 0, 0})};
+        for (std::size_t b = 0; b < 3; ++b) (*moved)[b] = motion * (*moved)[b]; // all bodies of robot0
+        for (const bool hovers : {false, true}) {
+            const SceneId scene = m_service->addScene(experiment), fresh = m_service->addScene(experiment);
+            PictureRequest request = requestFor(scene);
+            const Image plain = m_service->draw(request).get().value();
+            (hovers ? request.marks.hovered : request.marks.selected) = {path.toStdString()};
+            const Image before = m_service->draw(request).get().value();
+            QVERIFY(changed(plain, before) > 30);
+            request.poses = moved;
+            const Image after = m_service->draw(request).get().value();
+            request.scene = fresh;
+            QVERIFY(m_service->draw(request).get().value() == after); // marked where it is
+            request.scene = scene;
+            request.poses = nullptr;
+            QVERIFY(m_service->draw(request).get().value() == before);
+            m_service->removeScene(scene);
+            m_service->removeScene(fresh);
+        }
+    }
+
     void marksOfNothingChangeNothing() {
         const SceneId scene = m_service->addScene(sampleExperiment({1}));
         PictureRequest request = requestFor(scene);

@@ -92,6 +92,22 @@ private Q_SLOTS:
                  std::string("forward 18°, backward 18°, left 34°, right 34°; least 18°"));
     }
 
+    /// What it stands on may be anywhere: on a table, in a pit, the robot itself placed there.
+    void tippingDoesNotDependOnTheHeightOfTheGround() {
+        for (const double ground : {-2.5, 0., 0.75, 40.}) {
+            auto experiment = std::make_shared<ExperimentSpec>(*experimentOf({boxBody({0.4, 0.2, 0.6}, {0, 0, 0.3}, 1)}));
+            experiment->robots[0].pose = {{1, 2, ground}, rotationFromHpr({std::numbers::pi / 2, 0, 0})}; // faces along y
+            const auto balance = balanceOf(experiment);
+            QVERIFY(balance && balance->isStable());
+            QVERIFY(std::abs(balance->level - ground) < 1e-12);
+            QVERIFY(std::abs(balance->height - 0.3) < 1e-12);
+            QVERIFY(balance->centre.isApprox(Vec3(1, 2, ground), 1e-12));
+            QVERIFY(std::abs(tipAngle(*balance, {0, 1, 0}) - std::atan(2 / 3.)) < 1e-9);
+            QVERIFY(std::abs(tipAngle(*balance, {-1, 0, 0}) - std::atan(1 / 3.)) < 1e-9);
+            QVERIFY(std::abs(leastTipAngle(*balance) - std::atan(1 / 3.)) < 1e-9);
+        }
+    }
+
     void theNearestEdgeIsTheMarginAway() {
         const auto balance =
             balanceOf(experimentOf({boxBody({0.4, 0.2, 0.6}, {1, 2, 0.3}, 1), boxBody({0.1, 0.1, 0.1}, {1, 2.05, 0.7}, 1)}));

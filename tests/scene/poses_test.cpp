@@ -108,6 +108,49 @@ private Q_SLOTS:
         *at("a/led/lit") = 1;
         reader.read(block, poses);
         QVERIFY(poses.leds == (std::vector<LedColour>{{0.5f, 1, 0}, white}));
+        *at("a/led/lit") = 0; // switched off, of the colour that it was commanded
+        reader.read(block, poses);
+        QVERIFY(poses.leds == (std::vector<LedColour>{dark, white}));
+        *at("a/led/lit") = 1;
+        reader.read(block, poses);
+        QVERIFY(poses.leds == (std::vector<LedColour>{{0.5f, 1, 0}, white}));
+    }
+
+    /// Each has a switch and a colour of its own.
+    void twoLedsOfTwoRobotsShineByThemselves() {
+        ExperimentSpec experiment = twoRobots();
+        auto config = std::make_shared<RobotConfigSpec>(*experiment.robots[0].config);
+        config->devices.resize(2);
+        SignalLayout layout;
+        for (std::size_t i = 0; i < 2; ++i) config->devices[i].kind = "Led", config->devices[i].name = i ? "rear" : "front";
+        for (RobotSpec& robot : experiment.robots) {
+            robot.config = config;
+            layout.beginRobot(robot.name);
+            for (const ComponentSpec& led : config->devices) {
+                layout.add(led.name + "/color", "", SignalType::Real, SignalDirection::Command, 3);
+                layout.add(led.name + "/lit", "", SignalType::Boolean, SignalDirection::Output);
+            }
+        }
+        SignalBlock block(layout);
+        const std::vector<std::string> leds{"a/front", "a/rear", "b/front", "b/rear"};
+        std::vector<LedColour> colours;
+        for (std::size_t i = 0; i < leds.size(); ++i) {
+            const auto colour = block.slots().begin() + layout.find(leds[i] + "/color")->offset;
+            for (std::size_t k = 0; k < 3; ++k) colour[k] = 0.125 * static_cast<double>(1 + i + k);
+            colours.push_back({0.125f * float(1 + i), 0.125f * float(2 + i), 0.125f * float(3 + i)});
+        }
+        const PoseReader reader(experiment, layout);
+        for (unsigned on = 0; on < 16; ++on) {
+            std::vector<LedColour> expected(4, LedColour{0, 0, 0});
+            for (std::size_t i = 0; i < leds.size(); ++i) {
+                const bool lit = (on >> i & 1) != 0;
+                block.slots()[layout.find(leds[i] + "/lit")->offset] = lit;
+                if (lit) expected[i] = colours[i];
+            }
+            BodyPoses poses;
+            reader.read(block, poses);
+            QVERIFY(poses.leds == expected);
+        }
     }
 
     void aSignalOfAnotherShapeIsNoPose() {

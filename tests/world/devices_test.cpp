@@ -257,6 +257,43 @@ private Q_SLOTS:
         QVERIFY(Vec3(state.angular).norm() > 1);
     }
 
+    /// Of a joint to the world: fixed until the robot is placed, then turned and moved with it, each time.
+    void aJointToTheWorldMovesWhenItsRobotIsPlaced() {
+        Scene scene = r0Scene();
+        scene.spec->settings.gravity = Vec3::Zero();
+        auto config = std::make_shared<RobotConfigSpec>();
+        config->bodies.push_back(body("arm", at(0.3, 0, 0.2), massOfBox(1, {0.2, 0.1, 0.1}), {box("b", {0.2, 0.1, 0.1})}));
+        config->bodies.push_back(body("hand", at(0.3, 0.4, 0.2), massOfSphere(0.5, 0.05), {sphere("s", 0.05)}));
+        const Vec3 worldAxis(0.6, 0, 0.8), anchor(0.1, -0.2, 0.3), wristAxis(0, 0.6, -0.8), wrist(0.3, 0.3, 0.2);
+        config->joints.push_back(joint("foot", JointType::Hinge, kWorldBody, 0, anchor, worldAxis));
+        config->joints.push_back(joint("wrist", JointType::Hinge, 0, 1, wrist, wristAxis));
+        config->devices.push_back(probe("p"));
+        const Pose start = at(1, 2, 3, degrees(30, 0, 0));
+        scene.robot("r", start, config);
+        std::uint32_t joints[2];
+        Vec3 anchors[2], axes[2];
+        m_bench.probes["p"].setup = [&](const TrundleMount& m) {
+            return m.joint(m.context, "foot", &joints[0]) + m.joint(m.context, "wrist", &joints[1]);
+        };
+        m_bench.probes["p"].sense = [&](const TrundleServices& s) {
+            for (int i = 0; i < 2; ++i) s.jointAnchor(s.context, joints[i], anchors[i].data(), axes[i].data());
+            return 0;
+        };
+        auto world = scene.build(code);
+        QVERIFY(world);
+        const auto isAt = [&](const Pose& pose) {
+            return (anchors[0] - pose * anchor).norm() < 1e-9 && (axes[0] - pose.rotation * worldAxis).norm() < 1e-9 &&
+                   (anchors[1] - pose * wrist).norm() < 1e-9 && (axes[1] - pose.rotation * wristAxis).norm() < 1e-9;
+        };
+        QVERIFY(world->tick().ok());
+        QVERIFY(isAt(start));
+        for (const Pose& pose : {at(-4, 1, 2, degrees(100, 20, -30)), at(5, -1, 0, degrees(-70, 0, 0))}) {
+            QVERIFY(world->place("r", pose).ok());
+            QVERIFY(world->tick().ok());
+            QVERIFY(isAt(pose));
+        }
+    }
+
     void randomIsAFunctionOfWhereAndWhen() {
         std::vector<std::uint64_t> numbers[2];
         for (int again = 0; again < 2; ++again) {

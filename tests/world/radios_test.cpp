@@ -1,6 +1,7 @@
 // Antennas on moving bodies: on a turret that rotates on a tumbling robot, compared with the closed form.
 #include <QtTest>
 
+#include <map>
 #include <random>
 
 #include "devices/builtin.h"
@@ -65,6 +66,29 @@ class RadiosTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    /// A radio without an Address gets none that another one of the experiment has, wherever that is in the text.
+    void addressesThatAreNotGivenAreFree() {
+        Scene scene(0.01);
+        const double given[] = {0, 1, 0, 2, 0, 7, 7, 5, 0};
+        for (const double address : given) {
+            const auto config = carrying({Vec3::Zero(), Vec3::UnitZ(), Vec3::Zero(), Vec3::Zero(), "isotropic"});
+            if (address > 0) config->devices.back().values["Address"] = numberValue(address);
+            const double x = static_cast<double>(scene.spec->robots.size());
+            scene.robot("r" + std::to_string(scene.spec->robots.size()), at(x, 0, 1), config);
+        }
+        auto world = scene.build(code);
+        QVERIFY(world);
+        std::map<double, int> users;
+        for (std::size_t i = 0; i < std::size(given); ++i) {
+            const double address = value(*world, "r" + std::to_string(i) + "/radio/address");
+            QCOMPARE(given[i] > 0 ? given[i] : address, address);
+            ++users[address];
+        }
+        QCOMPARE(users.size(), std::size(given) - 1); // two ask for 7
+        QCOMPARE(users[7], 2);
+        QVERIFY(!users.contains(0));
+    }
+
     void hingedAntennasMatchTheClosedForm() {
         std::mt19937_64 random(20261122);
         const auto within = [&](double size) { return std::uniform_real_distribution<double>(-size, size)(random); };

@@ -164,6 +164,60 @@ private Q_SLOTS:
         }
     }
 
+    /// Whatever its shape: a fan that leaves a robot out goes through that robot's geoms alone, to what is behind them.
+    void whatIsLeftOutIsNotHit_data() {
+        QTest::addColumn<int>("kind");
+        for (const auto& [name, kind] : {std::pair{"box", RayShape::Box},
+                                         {"sphere", RayShape::Sphere},
+                                         {"cylinder", RayShape::Cylinder},
+                                         {"capsule", RayShape::Capsule},
+                                         {"mesh", RayShape::Mesh},
+                                         {"height map", RayShape::Heights}})
+            QTest::newRow(name) << static_cast<int>(kind);
+    }
+    void whatIsLeftOutIsNotHit() {
+        QFETCH(const int, kind);
+        const std::vector<std::array<Vec3, 3>> wall{{Vec3(0, -1, -1), Vec3(0, 1, -1), Vec3(0, 0, 2)}};
+        auto map = std::make_shared<HeightMap>();
+        map->columns = map->rows = 3;
+        map->heights.assign(9, 0.5f);
+        RayScene scene;
+        for (std::uint32_t i = 0; i < 3; ++i) { // one behind the other, of robots 4, 9 and of none
+            RayGeom g;
+            g.shape.kind = static_cast<RayShape::Kind>(kind);
+            g.shape.radius = 0.2;
+            for (double& h : g.shape.half) h = 0.2;
+            g.half.setConstant(0.4);
+            if (kind == RayShape::Mesh) g.tree = std::make_shared<TriangleTree>(wall), g.half.setConstant(2);
+            if (kind == RayShape::Heights) {
+                g.heights = std::make_shared<HeightBlocks>(map, 2, 2, 0.4);
+                g.half.setConstant(1);
+                g.axes = rotationFromHpr(degrees(90, 0, 0)).toRotationMatrix(); // its up, y, is towards the fan
+            }
+            g.bound = g.half.norm();
+            g.actor = i == 0 ? 4 : i == 1 ? 9 : kNoGeom;
+            g.centre = {3. + 3 * i, 0, 0};
+            scene.add(std::move(g));
+        }
+        scene.update();
+        const double flat[1] = {0};
+        const auto hit = [&](double x, std::uint32_t without) {
+            RayBuffers found(3);
+            scene.castFan({{x, 0, 0}, Mat3::Identity(), 20, -0.01, 0.01, 3, flat}, without, found.hits());
+            double distance = 0;
+            std::uint32_t geom = 0;
+            scene.castRay({{x, 0, 0}, {1, 0, 0}, 20}, without, {&distance, &geom});
+            return found.geoms == std::vector<std::uint32_t>(3, geom) && std::abs(found.distances[1] - distance) < 1e-9 ? geom
+                                                                                                                        : 99u;
+        };
+        QCOMPARE(hit(0, kNoGeom), 0u);
+        QCOMPARE(hit(0, 9), 0u);
+        QCOMPARE(hit(0, 4), 1u);
+        QCOMPARE(hit(4.5, 9), 2u);
+        QCOMPARE(hit(4.5, 4), 1u);
+        QCOMPARE(hit(7.5, 4), 2u);
+    }
+
     /// A geom far away, or with a pose that is no number, takes nothing from the others.
     void farAndInvalidPoses() {
         for (const double far : {1e3, 1e12, 1e300, std::nan(""), HUGE_VAL}) {
