@@ -1,23 +1,44 @@
 #include "editor/text/pages/text_pages.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <set>
 #include <utility>
 
 #include <QApplication>
+#include <QDir>
 #include <QMenu>
 #include <QStyle>
 #include <QTabBar>
 #include <QToolButton>
 
+#include "app/module_build.h"
 #include "editor/document/document.h"
 #include "editor/text/code/code_edit.h"
 #include "editor/text/pages/file_page.h"
 #include "editor/widgets/plain_text.h"
 #include "editor/widgets/theme.h"
+#include "project/loading/import_path.h"
 
 namespace trundle {
 namespace {
+
+/// A Python module's own file; of a C++ module what is in the folder of its CMakeLists.txt.
+std::set<std::string> sourcesOfModules(const LoadedProject& loaded) {
+    std::set<std::string> found;
+    for (const ModuleSpec& module : loaded.experiment->modules) {
+        if (!pathBelow(module.library, std::array{loaded.projectFolder})) continue;
+        if (module.library.ends_with(".py")) found.insert(module.library);
+        const std::string folder = moduleFolderOf(module.library, loaded.projectFolder);
+        if (module.library.ends_with(".py") || folder.empty()) continue;
+        const QDir inside(QString::fromStdString(folder));
+        for (const QString& name :
+             inside.entryList({u"*.cpp"_qs, u"*.h"_qs, u"*.hpp"_qs, u"*.cc"_qs, u"CMakeLists.txt"_qs}, QDir::Files))
+            found.insert(inside.filePath(name).toStdString());
+    }
+    return found;
+}
 
 QString nameOf(const std::string& file) { return QString::fromStdString(std::filesystem::path(file).filename().string()); }
 
@@ -211,13 +232,21 @@ void TextPages::showTitles() {
     }
 }
 
+/// The texts of the experiment, and below them the sources of the modules of its project.
 void TextPages::fillFileMenu(QMenu& menu) {
     menu.clear();
-    for (const std::string& file : m_document.texts().files()) {
+    const std::vector<std::string> files = m_document.texts().files();
+    const auto add = [&](const std::string& file) {
         menu.addAction(withoutMnemonics(QString::fromStdString(m_document.texts().shown(file))), this, [this, file] {
             if (FilePage* page = openFile(file)) page->setFocus();
         });
-    }
+    };
+    std::ranges::for_each(files, add);
+    if (!m_document.isOpen()) return;
+    std::set<std::string> sources = sourcesOfModules(*m_document.loaded());
+    for (const std::string& file : files) sources.erase(file);
+    if (!sources.empty()) menu.addSeparator();
+    std::ranges::for_each(sources, add);
 }
 
 void TextPages::reveal(const std::string& file, TextRange range, bool focus) {

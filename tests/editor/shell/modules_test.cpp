@@ -3,10 +3,12 @@
 #include <QCheckBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <QToolButton>
 #include <QTreeView>
 #include <QtTest>
 
@@ -48,10 +50,7 @@ private Q_SLOTS:
         QSettings().clear();
         m_folder = std::make_unique<QTemporaryDir>();
         write("main.sim", kMain);
-        m_window = std::make_unique<MainWindow>(*m_application, nullptr, findLocations());
-        m_window->show();
-        QVERIFY(m_window->open(path("main.sim")));
-        EVENTUALLY(m_window->document().isOpen());
+        openWindow();
         m_result.reset();
         connect(&m_window->modules().builder(), &ModuleBuilder::ended, this, [this](const BuildResult& result) { m_result = result; });
     }
@@ -118,6 +117,23 @@ private Q_SLOTS:
         QVERIFY(!m_window->document().texts().isModified());
         EVENTUALLY(value("rover/base/linearVelocity") < -0.1);
         m_window->session().reset();
+    }
+
+    /// The next day: Files in the corner of the texts has the source.
+    void aSourceIsFoundAgain() {
+        m_window->selection().select("rover");
+        makeNew("Wander", true);
+        QVERIFY(m_window->document().saving().save().ok());
+        openWindow();
+        QVERIFY(!m_window->document().texts().text(path("wander/wander.py").toStdString()));
+        auto* files = m_window->findChild<QToolButton*>(QStringLiteral("textFiles"));
+        QVERIFY(files);
+        Q_EMIT files->menu()->aboutToShow();
+        const QList<QAction*> entries = files->menu()->actions();
+        QCOMPARE(std::ranges::count_if(entries, [](QAction* a) { return a->text().endsWith(u"wander.py"); }), 1);
+        entries.last()->trigger();
+        QCOMPARE(page()->file(), path("wander/wander.py").toStdString());
+        QCOMPARE(page()->edit().styling().language(), CodeLanguage::Python);
     }
 
     /// The selected robot keeps its controller.
@@ -269,6 +285,13 @@ private Q_SLOTS:
     }
 
 private:
+    void openWindow() {
+        m_window.reset();
+        m_window = std::make_unique<MainWindow>(*m_application, nullptr, findLocations());
+        m_window->show();
+        QVERIFY(m_window->open(path("main.sim")));
+        EVENTUALLY(m_window->document().isOpen());
+    }
     [[nodiscard]] QString path(const char* name) const {
         return QDir(m_folder->path()).canonicalPath() + u'/' + QLatin1String(name);
     }
