@@ -115,13 +115,11 @@ void keepWidest(std::vector<SurfaceContact>& contacts, int most) {
     const SurfaceContact other = farthest([&](const SurfaceContact& c) { return (c.position - deepest.position).squaredNorm(); });
     const Vec3 aside = deepest.normal.cross(other.position - deepest.position).normalized();
     const auto side = [&](const SurfaceContact& c) { return aside.dot(c.position - deepest.position); };
-    std::vector<SurfaceContact> kept{deepest, other};
-    if (most > 2) {
-        if (const SurfaceContact left = farthest(side); side(left) > kSamePlace) kept.push_back(left);
-        if (const SurfaceContact right = farthest([&](const SurfaceContact& c) { return -side(c); }); side(right) < -kSamePlace)
-            kept.push_back(right);
-    }
-    contacts.swap(kept);
+    const SurfaceContact left = farthest(side), right = farthest([&](const SurfaceContact&c) { return -side(c); });
+    const bool hasLeft = most > 2 && side(left) > kSamePlace, hasRight = most > 2 && side(right) < -kSamePlace;
+    contacts.assign({deepest, other});
+    if (hasLeft) contacts.push_back(left);
+    if (hasRight) contacts.push_back(right);
 }
 
 } // namespace trundle

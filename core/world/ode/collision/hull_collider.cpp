@@ -102,14 +102,13 @@ RoundEnd HullCollider::endTowards(std::uint32_t index, const Vec3& way) const {
     return {m_objects.centres[index] + g.half.z() * outward, outward, g.radius};
 }
 
-bool HullCollider::standsOnPlane(std::uint32_t index, const GroundPlane& plane, int most,
-                                 std::vector<SurfaceContact>& out) const {
+bool HullCollider::standsOnPlane(std::uint32_t index, const GroundPlane& plane, int most, std::vector<SurfaceContact>& out) {
     if (m_objects.geoms[index].shape != GeomShape::Cylinder) return false;
     const RoundEnd end = endTowards(index, -plane.normal);
     if (-end.outward.dot(plane.normal) < kFlush) return false;
-    std::vector<SurfaceContact> contacts;
-    endOnPlane(end, plane.normal, plane.distance, contacts);
-    addWidest(contacts, most, out);
+    m_ends.clear();
+    endOnPlane(end, plane.normal, plane.distance, m_ends);
+    addWidest(m_ends, most, out);
     return true;
 }
 
@@ -140,20 +139,20 @@ double HullCollider::endOnCylinder(std::uint32_t first, std::uint32_t second, st
 }
 
 /// False unless an end of a cylinder is on a side of a box or on an end of another one.
-bool HullCollider::endContacts(std::uint32_t first, std::uint32_t second, int most, std::vector<SurfaceContact>& out) const {
+bool HullCollider::endContacts(std::uint32_t first, std::uint32_t second, int most, std::vector<SurfaceContact>& out) {
     const GeomShape a = m_objects.geoms[first].shape, b = m_objects.geoms[second].shape;
     const bool both = a == GeomShape::Cylinder && b == GeomShape::Cylinder,
                boxFirst = a == GeomShape::Box && b == GeomShape::Cylinder;
     if (!both && !boxFirst && (a != GeomShape::Cylinder || b != GeomShape::Box)) return false;
-    std::vector<SurfaceContact> contacts;
-    const double across = both       ? endOnCylinder(first, second, contacts)
-                          : boxFirst ? endOnBox(second, first, contacts)
-                                     : endOnBox(first, second, contacts);
+    m_ends.clear();
+    const double across = both       ? endOnCylinder(first, second, m_ends)
+                          : boxFirst ? endOnBox(second, first, m_ends)
+                                     : endOnBox(first, second, m_ends);
     // Where they overlap less across the normal than along it, one is beside the other.
-    if (contacts.empty() || std::ranges::max(contacts, {}, &SurfaceContact::depth).depth > across) return false;
+    if (m_ends.empty() || std::ranges::max(m_ends, {}, &SurfaceContact::depth).depth > across) return false;
     if (boxFirst)
-        for (SurfaceContact& c : contacts) c.normal = -c.normal;
-    addWidest(contacts, most, out);
+        for (SurfaceContact& c : m_ends) c.normal = -c.normal;
+    addWidest(m_ends, most, out);
     return true;
 }
 

@@ -21,14 +21,14 @@ public:
     [[nodiscard]] bool meet(std::uint32_t first, std::uint32_t second, int most, std::vector<SurfaceContact>& contacts);
     /// The same of a cylinder that stands on a plane. False if it does not.
     [[nodiscard]] bool standsOnPlane(std::uint32_t geom, const GroundPlane& plane, int most,
-                                     std::vector<SurfaceContact>& contacts) const;
+                                     std::vector<SurfaceContact>& contacts);
 
     /// Fills `faces` with those of a geom that has flat ones to which `normal` is across. False if it has none.
     [[nodiscard]] bool setFaces(std::uint32_t geom, const Vec3& normal);
     [[nodiscard]] const FlatBody& faces() const { return m_pair.first; }
 
 private:
-    [[nodiscard]] bool endContacts(std::uint32_t first, std::uint32_t second, int most, std::vector<SurfaceContact>& out) const;
+    [[nodiscard]] bool endContacts(std::uint32_t first, std::uint32_t second, int most, std::vector<SurfaceContact>& out);
     [[nodiscard]] double endOnBox(std::uint32_t cylinder, std::uint32_t box, std::vector<SurfaceContact>& out) const;
     [[nodiscard]] double endOnCylinder(std::uint32_t first, std::uint32_t second, std::vector<SurfaceContact>& out) const;
     [[nodiscard]] RoundEnd endTowards(std::uint32_t cylinder, const Vec3& way) const;
@@ -41,6 +41,7 @@ private:
 
     const OdeObjects& m_objects;
     std::vector<std::uint32_t> m_near; ///< triangles
+    std::vector<SurfaceContact> m_ends;
     FlatPair m_pair;
 };
 
