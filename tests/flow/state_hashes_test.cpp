@@ -88,7 +88,7 @@ const World kWorlds[] = {
      "Grid c { Config=Can Count=3,3 Spacing=0.1 Pos=0,0.03,0.6 HPR=0,50,20 }\n"
      "Grid d { Config=Chain Count=2,2 Spacing=0.8,0.4 Pos=0,1,0.5 HPR=20,30,0 }\nRobot w { Config=Wedge Pos=-1,-1,0.5 "
      "HPR=30,40,50 }\n",
-     "2", "e19aa7615bc91901"},
+     "2", "37f6b350d0d9e037"},
     {"springs and stops", nullptr,
      "RobotConfig Cart { Body hull { Pos=0,0,0.25 Box g { Size=0.5,0.3,0.1 Mass=4 Surface=plastic Material=red } }\n"
      "  Repeat corner { Count=2,2 Pos=$(0.4*index - 0.2),$(0.36*index2 - 0.18),0 Body wheel { Pos=0,0,0.1 Cylinder tyre { "
@@ -98,7 +98,7 @@ const World kWorlds[] = {
      "  Hinge flex { Parent=hull Child=mast Anchor=0,0,0.35 Axis=1,0,0 Stiffness=3 Damping=0.01 LowStop=-20deg HighStop=20deg } "
      "}\n"
      "Grid g { Config=Cart Count=2,2 Spacing=0.8 Pos=0,0,0.1 HPR=20,4,3 }\n",
-     "3", "63877a0d16b974b2"},
+     "3", "0719388f1c71cffe"},
 };
 
 } // namespace

@@ -130,6 +130,29 @@ private Q_SLOTS:
         }
     }
 
+    /// Discs that are let go oblique and turning whirl less and less.
+    void discsLieDown() {
+        for (const double tick : {0.005, 0.01, 0.02})
+            for (const double radius : {0.05, 0.1})
+                for (const double tilted : {30.0, 60.0}) {
+                    Scene scene(tick);
+                    const auto s = scene.surface(0.6);
+                    scene.scenery({plane("floor", {}, s)});
+                    const double length = 0.3 * radius, rise = tilted * kPi / 180;
+                    const double z = radius * std::sin(rise) + length / 2 * std::cos(rise) + 1e-3;
+                    scene.loose("disc", at(0, 0, z, degrees(20, tilted, 0)), massOfCylinder(1, radius, length),
+                                {cylinder("g", radius, length, {}, s)});
+                    auto world = scene.build();
+                    QVERIFY(world);
+                    const Vec3 aside(0.02 / tick, 0, 0), lever = world->robotPose(0).rotation * Vec3(0, radius, 0);
+                    QVERIFY(world->push("disc/body", aside, world->robotPose(0).position + lever).ok());
+                    QVERIFY(run(*world, 8));
+                    QVERIFY2(motion(*world, "disc/body") < 1e-4 && std::abs(world->robotPose(0).position.z() - length / 2) < 2e-4,
+                             qPrintable(
+                                 QString("%1 m/s, z %2").arg(motion(*world, "disc/body")).arg(world->robotPose(0).position.z())));
+                }
+    }
+
     /// What meets the side of an upright cylinder is beside it, not on it, also where that is low.
     void sideIsNoEnd() {
         Scene scene;

@@ -110,6 +110,79 @@ private Q_SLOTS:
         }
     }
 
+    /// A push for one tick: it keeps its speed up to the stop, however far that is.
+    void drawsNothingToIt() {
+        for (const JointType type : {JointType::Slider, JointType::Hinge})
+            for (const double tick : {0.001, 0.005, 0.01, 0.03})
+                for (double room = 0.5; room < 4; room += 0.13) { // ticks of its way
+                    Scene scene(tick);
+                    scene.spec->settings.gravity = Vec3::Zero();
+                    auto config = std::make_shared<RobotConfigSpec>();
+                    config->bodies.push_back(body("arm", at(0, 0, 1), massOfBox(0.1, {0.1, 0.1, 0.1}), {}));
+                    JointSpec spec = joint("j", type, kWorldBody, 0, {0, 0, 1}, Vec3::UnitX());
+                    const double speed =
+                        type == JointType::Slider ? 1 : 60 / 0.1 / 10; // 0.1 N s; at an arm of 0.1 m on 1/6000 kg m^2
+                    spec.highStop = room * speed * tick;
+                    config->joints.push_back(spec);
+                    scene.robot("r", {}, config);
+                    auto world = scene.build();
+                    QVERIFY(world);
+                    const double force = type == JointType::Slider ? 0.1 / tick : speed / 6000 / 0.1 / tick;
+                    const Vec3 lever(0, 0.1, 0), way = type == JointType::Slider ? Vec3::UnitX() : Vec3::UnitZ();
+                    QVERIFY(world->push("r/arm", force * way, Vec3(0, 0, 1) + (type == JointType::Slider ? Vec3::Zero() : lever))
+                                .ok());
+                    double most = 0, farthest = 0;
+                    for (int i = 0; i < 12; ++i) {
+                        QVERIFY(world->tick().ok());
+                        most = std::max(most, value(*world, "r/j/rate"));
+                        farthest = std::max(farthest, value(*world, "r/j/position"));
+                    }
+                    QVERIFY2(
+                        most < speed * (1 + 1e-6) && farthest < *spec.highStop * (1 + 1e-6) + 1e-9,
+                        qPrintable(QString("%1 of %2, up to %3 of %4").arg(most).arg(speed).arg(farthest).arg(*spec.highStop)));
+                    QVERIFY(std::abs(value(*world, "r/j/rate")) < 1e-6 * speed);
+                }
+    }
+
+    /// Of two geared arms with different stops the first one that is reached holds both.
+    void twoStopsOfOneMechanism() {
+        for (const bool isFree : {false, true})
+            for (const double tick : {0.002, 0.005, 0.01, 0.02})
+                for (const double more : {0.0, 0.002, 0.02}) {
+                    Scene scene(tick);
+                    scene.spec->settings.gravity = Vec3::Zero();
+                    auto config = std::make_shared<RobotConfigSpec>();
+                    config->bodies.push_back(body("base", at(0, 0, 1), massOfBox(2, {0.2, 0.2, 0.1}), {}));
+                    if (!isFree)
+                        config->joints.push_back(joint("hold", JointType::Fixed, kWorldBody, 0, {0, 0, 1}, Vec3::UnitZ()));
+                    for (const double y : {0.03, -0.03}) {
+                        const int arm = static_cast<int>(config->bodies.size());
+                        config->bodies.push_back(
+                            body("arm" + std::to_string(arm), at(0.15, y, 1), massOfBox(0.05, {0.1, 0.02, 0.02}), {}));
+                        JointSpec spec = joint("j" + std::to_string(arm), JointType::Hinge, 0, arm, {0.1, y, 1}, Vec3::UnitZ());
+                        if (y > 0) spec.highStop = 0.5;
+                        else spec.lowStop = -0.5 - more;
+                        config->joints.push_back(spec);
+                    }
+                    GearSpec gear;
+                    gear.name = "gear";
+                    gear.joint = isFree ? 0 : 1;
+                    gear.other = gear.joint + 1;
+                    gear.ratio = -1;
+                    config->gears.push_back(gear);
+                    config->devices.push_back(row("motor", "j1"));
+                    scene.robot("r", {}, config);
+                    auto world = scene.build();
+                    QVERIFY(world);
+                    command(*world, "r/motor", 8, 0, 0.5);
+                    QVERIFY(run(*world, 1));
+                    QVERIFY(!world->fault());
+                    const double first = value(*world, "r/j1/position"), second = value(*world, "r/j2/position");
+                    QVERIFY2(std::abs(first - 0.5) < 1e-3 && std::abs(second + 0.5) < 1e-3,
+                             qPrintable(QString("%1, %2 at %3 s").arg(first).arg(second).arg(tick)));
+                }
+    }
+
     void suspensionBottoms_data() {
         QTest::addColumn<double>("tick");
         for (const double tick : {0.001, 0.002, 0.005, 0.01, 0.02, 0.03}) QTest::addRow("%g ms", 1e3 * tick) << tick;
@@ -142,6 +215,32 @@ private Q_SLOTS:
         }
         // From the end of the travel up to as far above the rest at 8.2 mm: 6.4 mm below the start pose.
         QVERIFY2(highest > 0.1925 && highest < 0.1945, qPrintable(QString::number(highest)));
+    }
+
+    /// Damped, it comes to rest wherever the end of its travel is.
+    void suspensionCalmsDown() {
+        for (const double tick : {0.002, 0.005, 0.01})
+            for (const double travel : {0.2, 0.03, 0.02, 0.01}) {
+                Scene scene(tick);
+                scene.spec->settings.gravity = Vec3::Zero();
+                auto config = std::make_shared<RobotConfigSpec>();
+                config->bodies.push_back(body("hull", at(0, 0, 1), massOfBox(10, {0.2, 0.2, 0.1}), {}));
+                config->bodies.push_back(body("wheel", at(0, 0, 0.8), massOfSphere(0.4, 0.06), {}));
+                config->joints.push_back(joint("hold", JointType::Fixed, kWorldBody, 0, {0, 0, 1}, Vec3::UnitZ()));
+                JointSpec spec = joint("s", JointType::Suspension, 0, 1, {0, 0, 0.8}, Vec3::UnitZ());
+                spec.axis2 = Vec3::UnitY();
+                spec.stiffness = 8000;
+                spec.damping = 30;
+                spec.travel = travel;
+                config->joints.push_back(spec);
+                scene.robot("r", {}, config);
+                auto world = scene.build();
+                QVERIFY(world);
+                QVERIFY(world->push("r/wheel", {0, 0, 0.4 * 6 / tick}, {0, 0, 0.8}).ok());
+                QVERIFY(run(*world, 2));
+                const double off = position(*world, "r/wheel").z() - 0.8;
+                QVERIFY2(std::abs(off) < 1e-5, qPrintable(QString("%1 m at %2 s, travel %3").arg(off).arg(tick).arg(travel)));
+            }
     }
 
     void startsOutside_data() {

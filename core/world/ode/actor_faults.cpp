@@ -143,7 +143,7 @@ void ActorFaults::releaseLinks(std::uint32_t index) {
     for (const std::uint32_t link : m_objects.links) {
         OdeJoint& joint = m_objects.joints[link];
         if (!isOfActor(joint.parent) && !isOfActor(joint.child)) continue;
-        joint.rate = joint.lastRate = 0;
+        joint.rate = 0;
         for (const dJointID id : {joint.id, joint.drive, joint.spring, joint.friction, joint.stop, joint.damper, joint.losses})
             if (id) dJointDisable(id);
         for (const auto& rotor : joint.rotors) dJointDisable(rotor->row);
@@ -170,8 +170,7 @@ void ActorFaults::end(std::uint32_t index, const EngineFault& fault) {
         dBodySetKinematic(body.id);
         m_held.push_back({i, rawState(body)});
     }
-    for (std::uint32_t i = actor.joints.begin; i < actor.joints.end; ++i)
-        m_objects.joints[i].rate = m_objects.joints[i].lastRate = 0;
+    for (std::uint32_t i = actor.joints.begin; i < actor.joints.end; ++i) m_objects.joints[i].rate = 0;
     releaseLinks(index);
 }
 

@@ -61,9 +61,9 @@ void PendingWrites::move(OdeObjects& objects, const ActorMotion& write) {
         dBodySetLinearVel(b.id, 0, 0, 0);
         dBodySetAngularVel(b.id, 0, 0, 0);
     }
-    for (std::uint32_t i = actor.joints.begin; i < actor.joints.end; ++i) objects.joints[i].rate = objects.joints[i].lastRate = 0;
+    for (std::uint32_t i = actor.joints.begin; i < actor.joints.end; ++i) objects.joints[i].rate = 0;
     for (const std::uint32_t i : objects.links)
-        if (objects.bodies[objects.joints[i].child].actor == write.actor) objects.joints[i].rate = objects.joints[i].lastRate = 0;
+        if (objects.bodies[objects.joints[i].child].actor == write.actor) objects.joints[i].rate = 0;
 }
 
 } // namespace trundle

@@ -13,6 +13,7 @@ namespace {
 constexpr int kPoints = 32;         // of a rim
 constexpr double kSameDepth = 5e-5; // m; smaller differences are decided by index, so that the choice is stable between ticks
 constexpr double kSamePlace = 1e-6; // m
+constexpr double kLeastTilt = 0.05; // sine of a tilt with a lowest point
 
 using Circle = std::array<std::pair<double, double>, kPoints>;
 
@@ -84,6 +85,9 @@ void addEdges(const RoundEnd& end, const BoxSide& side, const Ground& ground, st
 void endOnPlane(const RoundEnd& end, const Vec3& normal, double offset, std::vector<SurfaceContact>& contacts) {
     const Ground ground{normal, offset};
     if (ground.isBelow(end)) return;
+    if (const Vec3 down = normal.dot(end.outward) * end.outward - normal;
+        down.norm() > kLeastTilt) // first, so that it is the deepest
+        ground.add(end.centre + end.radius * down.normalized(), contacts);
     forRim(end, [&](const Vec3& point) { ground.add(point, contacts); });
 }
 

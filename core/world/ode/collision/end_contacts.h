@@ -22,7 +22,8 @@ struct BoxSide {
 inline constexpr double kFlush = 0.999;
 inline constexpr double kFlushSlope = 0.0447; ///< its sine
 
-// All add what is below, with normals out of the ground: those of the plane, the side, the second end.
+// All add what is below, with normals out of the ground: those of the plane, the side, the second end. An end may be oblique to a plane: its
+// lowest point comes first.
 void endOnPlane(const RoundEnd& end, const Vec3& normal, double offset, std::vector<SurfaceContact>& contacts);
 void endOnSide(const RoundEnd& end, const BoxSide& side, std::vector<SurfaceContact>& contacts);
 void endOnEnd(const RoundEnd& first, const RoundEnd& second, std::vector<SurfaceContact>& contacts);

@@ -9,6 +9,7 @@ namespace trundle {
 
 namespace {
 
+constexpr double kOnEnd = 0.3;        // cosine
 constexpr double kOneDirection = 0.9; // cosine; contacts with the same direction
 constexpr double kSameDepth = 5e-5;   // m; smaller differences are decided by index, so that the choice is stable between ticks
 
@@ -105,7 +106,7 @@ RoundEnd HullCollider::endTowards(std::uint32_t index, const Vec3& way) const {
 bool HullCollider::standsOnPlane(std::uint32_t index, const GroundPlane& plane, int most, std::vector<SurfaceContact>& out) {
     if (m_objects.geoms[index].shape != GeomShape::Cylinder) return false;
     const RoundEnd end = endTowards(index, -plane.normal);
-    if (-end.outward.dot(plane.normal) < kFlush) return false;
+    if (-end.outward.dot(plane.normal) < kOnEnd) return false; // else it lies
     m_ends.clear();
     endOnPlane(end, plane.normal, plane.distance, m_ends);
     addWidest(m_ends, most, out);

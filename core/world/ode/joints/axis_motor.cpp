@@ -23,6 +23,14 @@ double rowOf(dJointID motor, JointType of, int axis, int parameter) {
     return of == JointType::Slider ? dJointGetLMotorParam(motor, row) : dJointGetAMotorParam(motor, row);
 }
 
+void scaleStops(const OdeJoint& joint, double factor) {
+    if (!joint.stop) return;
+    if (joint.type == JointType::Slider)
+        return dJointSetSliderParam(joint.id, dParamStopERP, factor * dJointGetSliderParam(joint.id, dParamStopERP));
+    for (int k = 0; k < dJointGetAMotorNumAxes(joint.stop); ++k)
+        setRow(joint.stop, joint.type, k, dParamStopERP, factor * rowOf(joint.stop, joint.type, k, dParamStopERP));
+}
+
 Vec3 axisNow(const OdeJoint& joint, const std::vector<OdeBody>& bodies) {
     if (joint.type != JointType::Universal) return turn(bodies[joint.child].r, joint.childAxis);
     return joint.parent == kNone ? joint.parentAxis : turn(bodies[joint.parent].r, joint.parentAxis);

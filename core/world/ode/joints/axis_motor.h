@@ -16,6 +16,8 @@ namespace trundle {
 /// Writes the joint's axis to those axes of such a row that are fixed to the world, where it is the parent.
 void setWorldAxes(dJointID motor, const OdeJoint& joint);
 void setRow(dJointID motor, JointType of, int axis, int parameter, double value);
+/// Multiplies the gains of a joint's stops.
+void scaleStops(const OdeJoint& joint, double factor);
 [[nodiscard]] double rowOf(dJointID motor, JointType of, int axis, int parameter);
 
 } // namespace trundle

@@ -13,11 +13,9 @@ namespace trundle {
 namespace {
 
 constexpr std::uint32_t kInertiaTicks = 16; // an estimate for a row of second order need not follow each tick
-constexpr double kSameStop = 1e-9;          // m or rad
 constexpr double kLeastGive = 1e-9;         // N m s
 constexpr double kUpright = 1e-6;           // sine of a tilt without a direction
 constexpr double kPressed = 0.3;            // cosine between a joint's motion and a contact's normal
-constexpr double kLeastSlide = 1e-5;        // m, of a suspension that lands: its row is relative to that
 constexpr double kStopStiffness = 1000;     // of a suspension beyond its travel, in masses per tick squared
 
 /// Adds the multiple of a full turn that brings `angle` closest to the angle expected from the rate.
@@ -34,27 +32,27 @@ Vec3 rotationVector(Quat q) {
 
 /// A motion along a free axis, and where it ends.
 struct Limited {
-    double position, rate, lastRate, low, high;
+    double position, rate, low, high;
 };
 
-/// Lands on a stop that is reached within the tick. Beyond one, or where one has just acted, ODE's own stop does it alone: to both at once
-/// it would add an infinite force.
-void limitAxis(const OdeJoint& joint, int axis, const Limited& m, double h) {
-    const double before = m.position - h * m.rate, gain = m.rate - m.lastRate;
-    const bool wasBeyond = before < m.low - kSameStop || before > m.high + kSameStop;
-    const bool hasActed = rowOf(joint.stop, joint.type, axis, dParamFMax) > 0; // what it took in the last tick does not go on
-    const double step = h * (m.rate + (!wasBeyond && (gain * m.rate > 0 || !hasActed) ? gain : 0));
-    const double down = m.position - m.low, up = m.high - m.position;
-    const bool isWithin = down > -kSameStop && up > -kSameStop;
-    const bool low = isWithin && down > kSameStop && down + step < 0, high = isWithin && up > kSameStop && up < step;
-    if (low || high) setRow(joint.stop, joint.type, axis, dParamVel, (low ? -down : up) / h);
-    setRow(joint.stop, joint.type, axis, dParamFMax, low || high ? dInfinity : 0);
-    if (joint.type == JointType::Slider) return;
-    double angle = m.position;
-    if (low || high) angle = std::clamp(angle, m.low + kSameStop, m.high - kSameStop);
-    else if (std::abs(down) <= kSameStop) angle = m.low;
-    else if (std::abs(up) <= kSameStop) angle = m.high;
-    dJointSetAMotorAngle(joint.stop, axis, angle);
+/// A stop can be reached in any tick, so ODE's own row of the nearer one always acts: the rate may be what leads onto it within the tick, and
+/// beyond it is what leads back by a share. ODE takes its rate from how far the stop is passed and from its gain: 1, and less than 0 before
+/// the stop.
+void limitAxis(const OdeJoint& joint, int axis, const Limited& m, double h, double errorReduction) {
+    if (m.low == -dInfinity && m.high == dInfinity) return;
+    const double down = m.position - m.low, up = m.high - m.position, step = h * m.rate;
+    const bool high = up - step < down + step;
+    const double room = high ? up : down, gain = room < 0 ? -errorReduction * room : -room;
+    if (joint.type == JointType::Slider) {
+        const double at = dJointGetSliderPosition(joint.id);
+        const bool isLocked = m.low == m.high; // by two equal stops of ODE
+        dJointSetSliderParam(joint.id, dParamLoStop, isLocked && high ? at - 1 : high ? -dInfinity : at + 1);
+        dJointSetSliderParam(joint.id, dParamHiStop, isLocked && !high ? at + 1 : high ? at - 1 : dInfinity);
+        dJointSetSliderParam(joint.id, dParamStopERP, gain);
+        return;
+    }
+    dJointSetAMotorAngle(joint.stop, axis, high ? m.high + 1 : m.low - 1);
+    setRow(joint.stop, joint.type, axis, dParamStopERP, gain);
 }
 
 /// `give`: N s/m.
@@ -63,38 +61,34 @@ void setSuspensionRow(dJointID suspension, double errorReduction, double give) {
     dJointSetHinge2Param(suspension, dParamSuspensionCFM, 1 / give);
 }
 
-/// Beyond its travel a much stiffer spring is added to that of a suspension: a row that only held it there would hold it for good. Where it
-/// reaches the end within the tick, it lands there. False: it does not reach it. `slide`: m, at `rate`.
-bool setEndOfTravel(OdeJoint& joint, double slide, double rate, double h, double errorReduction) {
-    const double past = std::abs(slide) - joint.travel, next = slide + h * rate;
+/// Beyond its travel a much stiffer spring is added to that of a suspension: a row that only held it there would hold it for good. False:
+/// it is not beyond. `slide`: m.
+bool setEndOfTravel(OdeJoint& joint, double slide, double h, double errorReduction) {
+    const double past = std::abs(slide) - joint.travel;
     joint.beyond = joint.travel > 0 && past > 0 ? std::copysign(past, slide) : 0;
-    const bool lands = joint.travel > 0 && std::abs(next) > joint.travel && std::abs(slide) > kLeastSlide;
-    if (joint.beyond == 0 && !lands) return false;
+    if (joint.beyond == 0) return false;
     const double stiffness = kStopStiffness * joint.inertia[0] / (h * h), give = h * stiffness / errorReduction;
     const double force = joint.stiffness * joint.travel + stiffness * past;
-    const double gain = joint.beyond != 0 ? h * force / (give * std::abs(slide)) : 1 - std::copysign(joint.travel, next) / slide;
-    setSuspensionRow(joint.id, gain, give);
+    setSuspensionRow(joint.id, h * force / (give * std::abs(slide)), give);
     return true;
 }
 
-/// The stop of a ball acts about the axis about which the child's axis is tilted from the parent's.
-void updateCone(OdeJoint& joint, const std::vector<OdeBody>& bodies, double h) {
+/// The stop of a ball acts about the axis about which the child's axis will be tilted from the parent's at the end of the tick: in a narrow
+/// cone that is another one than now.
+void updateCone(OdeJoint& joint, const std::vector<OdeBody>& bodies, double h, double errorReduction) {
     const Vec3 parent = (joint.parent == kNone ? joint.parentAxis : turn(bodies[joint.parent].r, joint.parentAxis)),
-               child = turn(bodies[joint.child].r, joint.childAxis);
-    const Vec3 across = parent.cross(child);
-    const double sine = across.norm();
-    if (sine < kUpright) { // upright, or upside down where no cone ends
-        setRow(joint.stop, joint.type, 0, dParamFMax, 0);
-        dJointSetAMotorAngle(joint.stop, 0, 0);
-        joint.rate = 0;
-        return;
-    }
-    const Vec3 axis = across / sine, spin = joint.parent == kNone ? Vec3(Vec3::Zero()) : vec(bodies[joint.parent].w);
-    joint.lastRate = joint.rate;
-    joint.rate = axis.dot(vec(bodies[joint.child].w) - spin);
-    joint.position = std::atan2(sine, parent.dot(child));
+               child = turn(bodies[joint.child].r, joint.childAxis), across = parent.cross(child);
+    const Vec3 spin = vec(bodies[joint.child].w) - (joint.parent == kNone ? Vec3(Vec3::Zero()) : vec(bodies[joint.parent].w));
+    const double sine = across.norm(), angle = std::atan2(sine, parent.dot(child));
+    const Vec3 tilt = sine < kUpright ? Vec3(Vec3::Zero()) : Vec3(angle / sine * across);
+    const Vec3 next = angle > joint.highStop ? tilt : Vec3(tilt + h * (spin - spin.dot(parent) * parent));
+    const bool hasNone = next.norm() < kUpright; // upright, or upside down where no cone ends
+    joint.position = hasNone ? 0 : angle;
+    if (hasNone) return dJointSetAMotorAngle(joint.stop, 0, 0);
+    const Vec3 axis = next.normalized();
+    joint.rate = axis.dot(spin);
     dJointSetAMotorAxis(joint.stop, 0, 0, axis.x(), axis.y(), axis.z());
-    limitAxis(joint, 0, {joint.position, joint.rate, joint.lastRate, joint.lowStop, joint.highStop}, h);
+    limitAxis(joint, 0, {tilt.dot(axis), joint.rate, joint.lowStop, joint.highStop}, h, errorReduction);
 }
 
 /// The child's rotation from where it started, in the parent's axes.
@@ -107,7 +101,6 @@ Quat turnedFromStart(const OdeJoint& joint, const std::vector<OdeBody>& bodies) 
 /// is that about its own axis, however large the other one is.
 void measureSecond(OdeJoint& joint, const OdeBody& child, const Quat& turned, const Vec3& spin, double h) {
     const Vec3 axis = joint.start * joint.secondAxis;
-    joint.lastRate2 = joint.rate2;
     joint.rate2 = turn(child.r, joint.secondAxis).dot(spin);
     joint.position2 = unwrap(2 * std::atan2(turned.vec().dot(axis), turned.w()), joint.position2 + joint.rate2 * h);
 }
@@ -150,7 +143,7 @@ void JointRows::add(std::uint32_t index, const JointSpec& spec, const Vec3& axis
 }
 
 /// A separate stop that uses the unwrapped angle, since ODE's own is limited to half a turn in each direction. That of a slider is
-/// ODE's own, with a separate row for the landing; its motor is separate too, because ODE drives a slider at its stop without bound.
+/// ODE's own; its motor is separate, because ODE drives a slider at its stop without bound.
 void JointRows::addStop(OdeJoint& joint, const JointSpec& spec, const Vec3& axis, const Vec3& axis2) const {
     const bool isBall = spec.type == JointType::Ball, isUniversal = spec.type == JointType::Universal;
     const bool second = isUniversal && (spec.lowStop2 || spec.highStop2);
@@ -162,8 +155,6 @@ void JointRows::addStop(OdeJoint& joint, const JointSpec& spec, const Vec3& axis
     const Vec3 axes[] = {axis, axis2};
     joint.stop = axisMotor(joint, m_bodies, std::span(axes, second ? 2 : 1), isUniversal);
     if (joint.type == JointType::Slider) {
-        dJointSetSliderParam(joint.id, dParamLoStop, joint.lowStop + kSameStop); // ODE measures a slider by itself
-        dJointSetSliderParam(joint.id, dParamHiStop, joint.highStop - kSameStop);
         joint.drive = axisMotor(joint, m_bodies, std::array{axis}, true);
         return;
     }
@@ -180,7 +171,7 @@ void JointRows::update(double h, std::span<const OdeContact> contacts, std::span
         OdeJoint& joint = m_joints[index];
         if (joint.spring || joint.type == JointType::Suspension) updateInertia(index);
         if (joint.spring) updateSpring(joint, h);
-        if (joint.stop) updateStop(joint, h);
+        if (joint.stop) updateStop(joint, h, errorReduction);
         if (joint.type == JointType::Suspension) updateSuspension(joint, h, errorReduction);
     }
     for (const std::uint32_t index : m_driven) {
@@ -231,13 +222,11 @@ bool JointRows::isHeld(const OdeJoint& joint, double push) const {
     return false;
 }
 
-/// Lands on a stop within the tick instead of being thrown back from beyond it. Expects the last tick's acceleration again: what would
-/// turn around before the stop is not drawn to it.
-void JointRows::updateStop(OdeJoint& joint, double h) const {
-    if (joint.type == JointType::Ball) return updateCone(joint, m_bodies, h);
-    limitAxis(joint, 0, {joint.position, joint.rate, joint.lastRate, joint.lowStop, joint.highStop}, h);
+void JointRows::updateStop(OdeJoint& joint, double h, double errorReduction) const {
+    if (joint.type == JointType::Ball) return updateCone(joint, m_bodies, h, errorReduction);
+    limitAxis(joint, 0, {joint.position, joint.rate, joint.lowStop, joint.highStop}, h, errorReduction);
     if (joint.type == JointType::Universal && dJointGetAMotorNumAxes(joint.stop) > 1)
-        limitAxis(joint, 1, {joint.position2, joint.rate2, joint.lastRate2, joint.lowStop2, joint.highStop2}, h);
+        limitAxis(joint, 1, {joint.position2, joint.rate2, joint.lowStop2, joint.highStop2}, h, errorReduction);
 }
 
 void JointRows::updateSpring(OdeJoint& joint, double h) const {
@@ -272,7 +261,7 @@ void JointRows::updateSpring(OdeJoint& joint, double h) const {
 void JointRows::updateSuspension(OdeJoint& joint, double h, double errorReduction) const {
     const Vec3 axis = carried(joint, joint.slideAxis);
     const double slide = axis.dot(anchorGap(joint));
-    if (setEndOfTravel(joint, slide, axis.dot(anchorSpeed(joint)), h, errorReduction)) return;
+    if (setEndOfTravel(joint, slide, h, errorReduction)) return;
     const double inertia = (isHeld(joint, -slide) ? joint.heldInertia : joint.inertia)[0];
     const SpringRow row = springRow(joint.stiffness, joint.damping, inertia, h);
     const double give = std::max(row.give, 1e-9);
@@ -311,7 +300,6 @@ void JointRows::measure(OdeJoint& joint, double h) const {
     const OdeBody& c = m_bodies[joint.child];
     const OdeBody* p = joint.parent == kNone ? nullptr : &m_bodies[joint.parent];
     const Vec3 axis = carried(joint, joint.parentAxis);
-    joint.lastRate = joint.rate;
     if (joint.type == JointType::Slider) {
         joint.position = axis.dot(anchorGap(joint));
         joint.rate = axis.dot(anchorSpeed(joint));

@@ -24,7 +24,7 @@ public:
     /// This joint and all later ones, which are gone.
     void forget(std::uint32_t joint);
     void setMotor(std::uint32_t joint, const MotorConstraint& motor);
-    /// Prepares all rows for a step with these contacts. `errorReduction`: of a suspension at the end of its travel.
+    /// Prepares all rows for a step with these contacts. `errorReduction`: of stops, and of a suspension at the end of its travel.
     void update(double h, std::span<const OdeContact> contacts, std::span<const OdeGeom> geoms, double errorReduction);
     /// Position, rate and effort after a step.
     void measure(OdeJoint& joint, double h) const;
@@ -37,7 +37,7 @@ private:
     void updateInertia(std::uint32_t index);
     void findTouches(std::span<const OdeContact> contacts, std::span<const OdeGeom> geoms);
     [[nodiscard]] bool isHeld(const OdeJoint& joint, double push) const;
-    void updateStop(OdeJoint& joint, double h) const;
+    void updateStop(OdeJoint& joint, double h, double errorReduction) const;
     void updateSpring(OdeJoint& joint, double h) const;
     void updateSuspension(OdeJoint& joint, double h, double errorReduction) const;
     [[nodiscard]] Vec3 anchorSpeed(const OdeJoint& joint) const;

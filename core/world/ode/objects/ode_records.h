@@ -102,7 +102,7 @@ struct OdeJoint {
     Vec3 childAxis = Vec3::UnitZ(), parentAxis = Vec3::UnitZ();   ///< the axis that `position` is about or along
     Quat start = Quat::Identity();                                ///< child in parent at position 0
     double gapLimit = 0;
-    double position = 0, rate = 0, lastRate = 0, effort = 0; ///< lastRate: one tick before
+    double position = 0, rate = 0, effort = 0;
     MotorConstraint motor;
     dJointID id = nullptr, drive = nullptr;
     dJointID spring = nullptr, friction = nullptr, stop = nullptr, damper = nullptr;
@@ -116,7 +116,7 @@ struct OdeJoint {
     Vec3 secondAxis = Vec3::UnitZ();  ///< of a universal joint, in the child's axes
     double stiffness = 0, damping = 0, travel = 0, rest = 0, beyond = 0; ///< beyond: m, past the travel; -: past its lower end
     // Of a universal joint about its second axis:
-    double stiffness2 = 0, damping2 = 0, lowStop2 = 0, highStop2 = 0, position2 = 0, rate2 = 0, lastRate2 = 0;
+    double stiffness2 = 0, damping2 = 0, lowStop2 = 0, highStop2 = 0, position2 = 0, rate2 = 0;
     // Of JointInertias, along each free axis (a suspension's first is `slideAxis`): 0 until needed.
     Vec3 inertia = Vec3::Zero(), heldInertia = Vec3::Zero(); ///< held: while the child cannot move
     std::vector<std::uint32_t> childSide;                    ///< bodies that the child carries, with itself

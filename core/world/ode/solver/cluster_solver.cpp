@@ -1,4 +1,5 @@
 #include "world/ode/solver/cluster_solver.h"
+#include "world/ode/joints/axis_motor.h"
 
 #include <algorithm>
 #include <cstring>
@@ -266,10 +267,13 @@ void ClusterSolver::iterate(double h, std::span<const std::uint32_t> bodies) {
     m_iterated.clear();
     for (std::size_t i = 0; i < m_contacts.all.size(); ++i)
         if (!m_contacts.all[i].outside && isIn(m_objects.geoms[m_contacts.all[i].first].body)) m_iterated.push_back(i);
-    for (const OdeJoint& joint : m_objects.joints) // its spring is for the whole tick
-        if (joint.type == JointType::Suspension && isIn(joint.child))
+    for (const OdeJoint& joint : m_objects.joints) { // springs and stops are for the whole tick
+        if (!isIn(joint.child)) continue;
+        scaleStops(joint, 1.0 / kShortSteps);
+        if (joint.type == JointType::Suspension)
             dJointSetHinge2Param(joint.id, dParamSuspensionERP,
                                  dJointGetHinge2Param(joint.id, dParamSuspensionERP) / kShortSteps);
+    }
     for (const OdeCoupling& coupling : m_objects.couplings)
         if (isIn(coupling.first) && !coupling.isTorque)
             dJointSetDBallDistance(coupling.id, OdeCoupling::kApart + coupling.shift / kShortSteps);
