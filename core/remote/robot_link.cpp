@@ -159,7 +159,7 @@ Result<std::optional<RadioPacket>> RobotLink::receivePacket(const std::string& r
 
 Status RobotLink::takeValues() {
     if (m_bytes.size() != m_values.size() * sizeof(double)) return broken("it sent a wrong number of values");
-    std::memcpy(m_values.data(), m_bytes.data(), m_bytes.size());
+    if (!m_bytes.empty()) std::memcpy(m_values.data(), m_bytes.data(), m_bytes.size());
     return {};
 }
 
