@@ -314,7 +314,7 @@ private Q_SLOTS:
     void atTheEndTheRobotRestsAndIsGivenBack_data() {
         QTest::addColumn<bool>("hasController");
         QTest::addColumn<bool>("hasCommands");
-        QTest::newRow("of nobody") << false << true;
+        QTest::newRow("of none") << false << true;
         QTest::newRow("of a controller") << true << true;
         QTest::newRow("without commands") << true << false;
     }

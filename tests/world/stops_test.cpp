@@ -1,4 +1,4 @@
-// Stops of joints that are passed within a tick or lie close together: nothing comes back from them faster than it went, and what is
+// Stops of joints that are passed within a tick or lie close together: nothing leaves them faster than it came, and what is
 // outside is put inside without a speed.
 #include <QtTest>
 

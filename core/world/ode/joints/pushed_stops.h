@@ -16,7 +16,7 @@ public:
 
     /// Once bodies and joints have been added.
     void setUp();
-    /// After a solution: bodies of joints that come back from beyond a stop. Until release() their stops only hold, for a solution
+    /// After a solution: bodies of joints that move back from beyond a stop. Until release() their stops only hold, for a solution
     /// for velocities alone.
     [[nodiscard]] std::span<const std::uint32_t> find();
     void release();
