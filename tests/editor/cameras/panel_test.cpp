@@ -28,7 +28,7 @@ int coloursIn(const QImage& image) {
 
 constexpr int kWide = 160, kHigh = 120; ///< pixels of the cameras of kTwoEyes
 
-/// A pixel whose neighbours are of the same object as itself, which is `object` or, if that is none, neither 0 nor `other`.
+/// A pixel whose neighbours are of the same object as itself, which is `object`, or any but 0 and `other` where no `object` is given.
 std::optional<QPoint> pixelOf(const CameraImage& image, std::optional<std::uint32_t> object, std::uint32_t other = 0) {
     for (int y = 2; y + 2 < kHigh; ++y)
         for (int x = 2; x + 2 < kWide; ++x) {

@@ -256,7 +256,7 @@ private Q_SLOTS:
             o.selection.select(member);
             QCOMPARE(o.marked(), QLatin1String(member));
         }
-        o.selection.select("stones_6"); // there is none
+        o.selection.select("stones_6"); // no such member
         QVERIFY(o.marked() != QStringLiteral("rocks_0"));
     }
 

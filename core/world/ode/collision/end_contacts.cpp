@@ -119,7 +119,8 @@ void keepWidest(std::vector<SurfaceContact>& contacts, int most) {
     const SurfaceContact other = farthest([&](const SurfaceContact& c) { return (c.position - deepest.position).squaredNorm(); });
     const Vec3 aside = deepest.normal.cross(other.position - deepest.position).normalized();
     const auto side = [&](const SurfaceContact& c) { return aside.dot(c.position - deepest.position); };
-    const SurfaceContact left = farthest(side), right = farthest([&](const SurfaceContact&c) { return -side(c); });
+    const auto otherSide = [&](const SurfaceContact& c) { return -side(c); };
+    const SurfaceContact left = farthest(side), right = farthest(otherSide);
     const bool hasLeft = most > 2 && side(left) > kSamePlace, hasRight = most > 2 && side(right) < -kSamePlace;
     contacts.assign({deepest, other});
     if (hasLeft) contacts.push_back(left);
