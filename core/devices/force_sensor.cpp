@@ -32,13 +32,20 @@ void ForceSensor::measure(Sensing& world, std::vector<double>& reading) {
     Vec3 anchor = Vec3::Zero(), axis;
     if (world.time() <= 0 || !world.jointWrench(m_joint, wrench) || !world.jointAnchor(m_joint, anchor, axis)) return;
     const Pose place = pose(world);
-    const Quat toSensor = place.rotation.conjugate();
+    const Quat toSensor = place.rotation.conjugate() * turnedInTick(world);
     const Vec3 force = toSensor * wrench.force,
-               torque = toSensor * (wrench.torque + (anchor - place.position).cross(wrench.force));
+               torque = toSensor * wrench.torque + (place.rotation.conjugate() * (anchor - place.position)).cross(force);
     for (const std::size_t part : {kForce, kTorque})
         for (int axisIndex = 0; axisIndex < 3; ++axisIndex)
             reading.push_back(measured(part, axisIndex, (part == kForce ? force : torque)[axisIndex], world));
     reading.insert(reading.end(), {force.x(), force.y(), force.z(), torque.x(), torque.y(), torque.z()});
+}
+
+/// A wrench is that of where the bodies were before the tick turned them.
+Quat ForceSensor::turnedInTick(const Sensing& world) const {
+    const Vec3 turned = world.tick() * Vec3(world.bodyState(body()).angular);
+    const double angle = turned.norm();
+    return angle > 0 ? Quat(Eigen::AngleAxisd(angle, turned / angle)) : Quat(Quat::Identity());
 }
 
 double ForceSensor::measured(std::size_t part, int axis, double truth, const Services& world) const {

@@ -14,6 +14,7 @@ private:
     void begin(Mount& mount) override;
     void measure(Sensing& world, std::vector<double>& reading) override;
     void publish(std::span<const double> reading, double time) override;
+    [[nodiscard]] Quat turnedInTick(const Sensing& world) const;
     [[nodiscard]] double measured(std::size_t part, int axis, double truth, const Services& world) const;
 
     std::string m_jointName;

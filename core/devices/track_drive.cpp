@@ -4,6 +4,14 @@
 #include <utility>
 
 namespace trundle {
+namespace {
+
+Quat rotationOf(const TrundleBodyState& body) {
+    const double* q = body.quaternion;
+    return {q[0], q[1], q[2], q[3]};
+}
+
+} // namespace
 
 void TrackDrive::describe(Describe<TrackDrive>& d) {
     d.help("A base on two tracks: turns speeds of the robot into speeds of the tracks.").independent();
@@ -21,7 +29,8 @@ void TrackDrive::setup(Mount& mount) {
     if (m_leftName == m_rightName) return mount.fail("LeftTrack and RightTrack are the same track");
     m_left.port = mount.peer<TrackSignals>(m_leftName);
     m_right.port = mount.peer<TrackSignals>(m_rightName);
-    m_body = mount.body(mount.peerText(m_leftName, "Geom"));
+    m_left.body = mount.body(mount.peerText(m_leftName, "Geom"));
+    m_right.body = mount.body(mount.peerText(m_rightName, "Geom"));
 }
 
 void TrackDrive::act(Actuation& world) {
@@ -42,10 +51,21 @@ void TrackDrive::sense(Sensing& world) {
     const double left = travelledSince(m_left), right = travelledSince(m_right);
     m_odometryPose = alongArc(m_odometryPose, {(left + right) / 2, (right - left) / (m_separationM * m_skidFactor), 0});
     publishState(*this, m_odometryPose);
-    const TrundleBodyState body = world.bodyState(m_body);
-    const double* q = body.quaternion;
-    const Vec3 forward = Quat(q[0], q[1], q[2], q[3]) * Vec3::UnitX();
-    publishPose(*this, PlanePose{body.position[0], body.position[1], std::atan2(forward.y(), forward.x())});
+    const TrundleBodyState a = world.bodyState(m_left.body), b = world.bodyState(m_right.body);
+    const Vec3 forward = rotationOf(a) * Vec3::UnitX();
+    publishPose(*this, PlanePose{(a.position[0] + b.position[0]) / 2, (a.position[1] + b.position[1]) / 2,
+                                 std::atan2(forward.y(), forward.x())});
+    const double side = m_left.body == m_right.body ? m_separationM / 2 : 0;
+    slip.set(0, slipOf(world, m_left, side));
+    slip.set(1, slipOf(world, m_right, -side));
+}
+
+double TrackDrive::slipOf(const Services& world, TrackState& track, double side) {
+    const TrundleBodyState body = world.bodyState(track.body);
+    const Quat rotation = rotationOf(body);
+    const double forward = Vec3(body.linear).dot(rotation * Vec3::UnitX()),
+                 turn = Vec3(body.angular).dot(rotation * Vec3::UnitZ());
+    return track.port.get(&TrackSignals::rate) - (forward - side * turn);
 }
 
 } // namespace trundle

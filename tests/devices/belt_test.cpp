@@ -184,6 +184,39 @@ private Q_SLOTS:
         QVERIFY(std::abs(rate - coulomb) < 0.05 * coulomb && std::abs(x - 1) < 0.05);
     }
 
+    /// Tracks that are bodies of their own: the base is between them, and knows how much faster than the ground goes by they run.
+    void aTrackDriveMeasuresItsSlip() {
+        SensorWorld w(
+            "Tick=0.01\nSurface pad { Friction=0.4 }\nStaticConfig Floor { Plane ground { Surface=pad } }\nStatic floor { "
+            "Config=Floor }\nPartConfig Side { Body t { Box g { Size=0.6,0.08,0.1 Pos=0,0,0.05 Mass=1 Surface=pad } } Fixed f { "
+            "Parent=$carrier Child=t } Track tr { Geom=t.g MaxSpeed=3 } }\n"
+            "RobotConfig Tank { Body ch { Box h { Size=0.5,0.3,0.1 Pos=0,0,0.15 Mass=5 } }\n"
+            "  Part L { Config=Side carrier=ch Pos=0,0.21,0 } Part R { Config=Side carrier=ch Pos=0,-0.21,0 }\n"
+            "  TrackDrive d { LeftTrack=L.tr RightTrack=R.tr TrackSeparation=0.42 MaxAcceleration=0 } }\n"
+            "Robot r { Config=Tank Pos=1,2,0 HPR=40,0,0 }\n");
+        QVERIFY2(w.ok(), w.failure().c_str());
+        QVERIFY(w.run(5));
+        QVERIFY(std::hypot(w.value("r/d/pose", 0) - 1, w.value("r/d/pose", 1) - 2) < 1e-3);
+        QVERIFY(std::abs(w.value("r/d/pose", 2) - 40 * kPi / 180) < 1e-3);
+        QVERIFY(std::abs(w.value("r/d/slip", 0)) < 1e-3 && std::abs(w.value("r/d/slip", 1)) < 1e-3);
+        command(w, "r/d/linearVelocity", 2);
+        QVERIFY(w.run(10));
+        const double speed = w.vector("r/ch/velocity").head<2>().norm();
+        QVERIFY(speed > 0.2 && speed < 0.5); // mu g t
+        for (const std::size_t side : {0u, 1u}) QVERIFY(std::abs(w.value("r/d/slip", side) - (2 - speed)) < 0.01);
+        command(w, "r/d/linearVelocity", 0);
+        command(w, "r/d/angularVelocity", 3);
+        QVERIFY(w.run(10));
+        const double turns = w.value("r/ch/velocity", 5);
+        for (const int side : {-1, 1}) {
+            const Vec3 forward = rotationFromHpr(Vec3(w.value("r/d/pose", 2), 0, 0)) * Vec3::UnitX();
+            const double moves = w.vector("r/ch/velocity").dot(forward) + side * 0.21 * turns;
+            const double slip = w.value("r/d/slip", side < 0 ? 0 : 1), rate = w.value(side < 0 ? "r/L.tr/rate" : "r/R.tr/rate");
+            QVERIFY2(std::abs(slip - (rate - moves)) < 0.001,
+                     qPrintable(QStringLiteral("%1 %2 %3 %4").arg(slip).arg(moves).arg(turns).arg(side)));
+        }
+    }
+
     /// Tracks that are geoms of a Repeat in a Body: the base finds the body that they belong to.
     void tracksMayBeInARepeat() {
         SensorWorld w("StaticConfig Floor { Plane ground { } }\nStatic floor { Config=Floor }\nRobotConfig Tank { Body hull { Box h { "

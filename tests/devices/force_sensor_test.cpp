@@ -82,6 +82,30 @@ private Q_SLOTS:
         QVERIFY(isNear(w.vector("r/cell/torque"), kMoment - Vec3(0.1, 0.2, -0.3).cross(kWeight), 1e-3 * kMoment.norm()));
     }
 
+    void turnsWithItsBody_data() {
+        QTest::addColumn<double>("rate");
+        QTest::addColumn<double>("tick");
+        for (const double tick : {0.001, 0.01, 0.03})
+            for (const double rate : {3., -9.}) QTest::addRow("%g rad/s, %g ms", rate, 1e3 * tick) << rate << tick;
+    }
+    /// An arm that turns steadily is pulled inwards alone, and nothing turns it about the vertical.
+    void turnsWithItsBody() {
+        QFETCH(double, rate);
+        QFETCH(double, tick);
+        SensorWorld w(
+            "Tick=" + std::to_string(tick) +
+            "\nRobotConfig C { Body hub { Cylinder c { Radius=0.1 Length=0.1 Mass=1 } } Body arm { Pos=0.3,0,0 Box c { "
+            "Size=0.5,0.04,0.04 Mass=0.6 } }\n  Hinge ax { Parent=world Child=hub Axis=0,0,1 } Fixed f { Parent=hub Child=arm }\n"
+            "  ForceSensor s { Joint=f Body=hub } Servo m { Joint=ax Mode=speed MaxTorque=100 MaxSpeed=100 } }\n"
+            "Robot r { Config=C Pos=0,0,2 }\n");
+        QVERIFY2(w.ok(), w.failure().c_str());
+        w.world().block().slots()[w.world().layout().find("r/m/target")->offset] = rate;
+        QVERIFY(w.run(static_cast<int>(std::lround(2 / tick))));
+        const double inwards = 0.6 * 0.3 * rate * rate, weight = 0.6 * kGravity;
+        QVERIFY(isNear(w.vector("r/s/trueForce"), {-inwards, 0, weight}, 0.006 * inwards));
+        QVERIFY(isNear(w.vector("r/s/trueTorque"), {0, -0.3 * weight, 0}, 0.002 * inwards));
+    }
+
     void errsAsItsFieldsSay() {
         SensorWorld w(scale("Fixed wrist { Parent=stand Child=pan }",
                             "Joint=wrist Body=stand Noise=0.5,0.02 ForceBias=1,-2,3 TorqueBias=0.1,0.2,0.3 Resolution=0.01,0 "

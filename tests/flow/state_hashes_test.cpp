@@ -43,20 +43,20 @@ const char* const kDriving = "#import robots/simple_robot.sim\n#import robots/ev
                              "Static arena { Config=MediumArena }\n";
 
 const World kWorlds[] = {
-    {"swarm of 100", "swarm.sim", nullptr, "4", "b486d923f4778343"},
-    {"radios, one robot among motes", "network_navigation.sim", nullptr, "8", "041cd5a764d74e14"},
-    {"radios, carriers", "sensor_network_amr.sim", nullptr, "6", "1ba81a0c4d68fc77"},
-    {"lidar and IMU", "wall_follow.sim", nullptr, "6", "cd646d967b7f1024"},
-    {"ground sensors", "line_follow.sim", nullptr, "6", "b2211a8f6e4cf371"},
-    {"infrared and light", "braitenberg.sim", nullptr, "6", "5d7841c4296fc894"},
+    {"swarm of 100", "swarm.sim", nullptr, "4", "887f46e78c0f1383"},
+    {"radios, one robot among motes", "network_navigation.sim", nullptr, "8", "6512f11109414210"},
+    {"radios, carriers", "sensor_network_amr.sim", nullptr, "6", "b4489e465edc85c0"},
+    {"lidar and IMU", "wall_follow.sim", nullptr, "6", "ff7421bcf2209a3e"},
+    {"ground sensors", "line_follow.sim", nullptr, "6", "fc88f72ee363dbe3"},
+    {"infrared and light", "braitenberg.sim", nullptr, "6", "000f3c416b0b24ea"},
     {"robots with cameras that take no pictures", nullptr,
      "#import robots/camera_robot.sim\n#import arenas/colour_yard.sim\n#loadModule controllers/random_drive\n"
      "Static yard { Config=ColourYard }\nGrid g { Config=CameraRobot Count=3,3 Spacing=0.5 RandomDrive b {} }\n",
-     "4", "aeec0434324a80c5"},
+     "4", "1f9a9c53061f9918"},
     {"batteries that run empty", nullptr,
      "RobotConfig Fed { Config=SimpleRobot Battery battery { Capacity=2000mAh Cells=10 Chemistry=NiMH InternalResistance=0.3 "
      "BaseLoad=2 StartLevel=0.0002 } }\nGrid g { Config=Fed Count=3,2 Spacing=0.8 BumpAndTurn b { Speed=0.4 } }\n",
-     "12", "409aa9e72fda18c0"},
+     "12", "7fd6b496408bc2a4"},
     {"a gripper, a servo, a hoist", nullptr,
      "RobotConfig Crane {\n  Body palm { Pos=0,0,0.2 Box block { Size=0.2,0.3,0.02 Mass=2 } }\n"
      "  Body left { Pos=0,0.06,0.05 Box pad { Size=0.06,0.02,0.06 Mass=0.1 Surface=rubber } }\n"
@@ -70,9 +70,9 @@ const World kWorlds[] = {
      "  Gripper hand { Left=openLeft Right=openRight Force=10 }\n}\n"
      "RobotConfig Load { Body body { Box box { Size=0.04,0.1,0.06 Mass=0.5 Surface=rubber } } }\n"
      "Robot crane { Config=Crane }\nRobot load { Config=Load Pos=0.005,0.004,0.03 HPR=3,0,0 }\n",
-     "3", "a80dace4cb3a2dbe"},
+     "3", "dbc830192b74586e"},
     {"robots that crowd", nullptr, "Grid g { Config=SimpleRobot Count=6,5 Spacing=0.5 RandomDrive b { Speed=0.6 TurnRate=2 } }\n",
-     "8", "54b99a4b3e5bee2a"},
+     "8", "bade3b0aa19bbce4"},
     {"robots that crowd, a crate and a ball, on wheels", nullptr,
      "Engine=wheeled\nRobotConfig Crate { Body b { Box g { Size=0.12,0.1,0.08 Mass=0.3 Surface=plastic Material=red } } }\n"
      "RobotConfig Ball { Body b { Sphere g { Radius=0.05 Mass=0.2 Surface=rubber Material=red } } }\n"
@@ -82,7 +82,7 @@ const World kWorlds[] = {
     {"quick solver, long ticks", nullptr,
      "Solver=quick Tick=0.03\nGrid g { Config=SimpleRobot Count=3,3 Spacing=0.6 RandomDrive b {} }\nRobot e { Config=EvBot "
      "Pos=1.4,1.4,0 BumpAndTurn b {} }\n",
-     "6", "b86c7ca33bd9dc39"},
+     "6", "8dc6aa8a90aae0ed"},
     {"a pile, chains, a hull", nullptr,
      "Grid a { Config=Crate Count=3,3 Spacing=0.11 Pos=0,0,0.1 }\nGrid b { Config=Ball Count=3,3 Spacing=0.12 Pos=0.02,0,0.4 }\n"
      "Grid c { Config=Can Count=3,3 Spacing=0.1 Pos=0,0.03,0.6 HPR=0,50,20 }\n"
@@ -98,7 +98,7 @@ const World kWorlds[] = {
      "  Hinge flex { Parent=hull Child=mast Anchor=0,0,0.35 Axis=1,0,0 Stiffness=3 Damping=0.01 LowStop=-20deg HighStop=20deg } "
      "}\n"
      "Grid g { Config=Cart Count=2,2 Spacing=0.8 Pos=0,0,0.1 HPR=20,4,3 }\n",
-     "3", "0719388f1c71cffe"},
+     "3", "902bdc89c50dfeeb"},
 };
 
 } // namespace

@@ -139,6 +139,7 @@ void JointRows::add(std::uint32_t index, const JointSpec& spec, const Vec3& axis
         joint.spring = axisMotor(joint, m_bodies, axes, withParent);
         set(joint.spring, dParamFMax, dInfinity);
     }
+    if (spec.type == JointType::Suspension && !dJointGetFeedback(joint.id)) dJointSetFeedback(joint.id, makeFeedback());
     if (joint.stop || joint.spring || spec.type == JointType::Suspension) m_updated.push_back(index);
 }
 
@@ -260,7 +261,10 @@ void JointRows::updateSpring(OdeJoint& joint, double h) const {
 /// The spring along a suspension's axis is ODE's own row, which has no place for the force that only depends on the old rate.
 void JointRows::updateSuspension(OdeJoint& joint, double h, double errorReduction) const {
     const Vec3 axis = carried(joint, joint.slideAxis);
-    const double slide = axis.dot(anchorGap(joint));
+    const Vec3 gap = anchorGap(joint), couple = gap.cross(joint.slideForce);
+    const double slide = axis.dot(gap);
+    // ODE lets the forces of both bodies act at their own anchors, which are apart: the parent's is moved to where the wheel is.
+    dBodyAddTorque(m_bodies[joint.parent].id, couple.x(), couple.y(), couple.z());
     if (setEndOfTravel(joint, slide, h, errorReduction)) return;
     const double inertia = (isHeld(joint, -slide) ? joint.heldInertia : joint.inertia)[0];
     const SpringRow row = springRow(joint.stiffness, joint.damping, inertia, h);
@@ -297,6 +301,7 @@ Vec3 JointRows::anchorSpeed(const OdeJoint& joint) const {
 
 void JointRows::measure(OdeJoint& joint, double h) const {
     if (joint.type == JointType::Ball || joint.type == JointType::Fixed) return;
+    if (joint.type == JointType::Suspension) joint.slideForce = vec(dJointGetFeedback(joint.id)->f1);
     const OdeBody& c = m_bodies[joint.child];
     const OdeBody* p = joint.parent == kNone ? nullptr : &m_bodies[joint.parent];
     const Vec3 axis = carried(joint, joint.parentAxis);

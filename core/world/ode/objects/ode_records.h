@@ -112,7 +112,7 @@ struct OdeJoint {
     // Of a motor whose effort is measured, at the start of the step, as its forces are: the axis, and the anchor from the child's centre.
     Vec3 startAxis = Vec3::UnitZ(), startArm = Vec3::Zero();
     double lowStop = 0, highStop = 0; ///< of a ball: how far `childAxis` tilts from `parentAxis`
-    Vec3 slideAxis = Vec3::UnitZ();   ///< of a suspension, in the parent's axes
+    Vec3 slideAxis = Vec3::UnitZ(), slideForce = Vec3::Zero(); ///< of a suspension: in the parent's axes; on the parent, world
     Vec3 secondAxis = Vec3::UnitZ();  ///< of a universal joint, in the child's axes
     double stiffness = 0, damping = 0, travel = 0, rest = 0, beyond = 0; ///< beyond: m, past the travel; -: past its lower end
     // Of a universal joint about its second axis:
