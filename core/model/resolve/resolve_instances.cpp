@@ -8,11 +8,11 @@
 #include "model/provenance.h"
 #include "model/repeat.h"
 #include "model/resolve/config_sizes.h"
-#include "model/resolve/footprint.h"
 #include "model/resolve/instance_variants.h"
 #include "model/resolve/part_messages.h"
 #include "model/resolve/reference_check.h"
 #include "model/resolve/resolve_steps.h"
+#include "model/resolve/scatter_places.h"
 #include "schema/value_reader.h"
 #include "schema/value_words.h"
 
@@ -44,6 +44,11 @@ public:
         world.each(Role::Instance, Role::Layout, [&](const ExpandedPart& part) {
             if (!isKind(part, "Static") && !isScenery(*part.part)) addRobots(part);
         });
+        for (const bool scenery : {true, false})
+            world.each(Role::Layout, [&](const ExpandedPart& part) {
+                if (isScenery(*part.part) == scenery) m_scatters.place(part);
+            });
+        m_scatters.removeLeftOut();
         addMovingScenery();
     }
 
@@ -55,6 +60,8 @@ public:
         if (it == world.parts().end()) return;
         if (part.kind->name == "Static" || isScenery(part)) addStatics(*it);
         else addRobots(*it);
+        m_scatters.place(*it);
+        m_scatters.removeLeftOut();
         addMovingScenery();
     }
 
@@ -189,6 +196,7 @@ private:
             m_context.out.statics.push_back({name, d.config->name, pose, geoms, part.range, part.nameRange()});
             // What moves, senses or acts in a Static is to everything else a robot with a fixed frame.
             if (d.scenery->moving) m_moving.push_back(robot(part, name, pose, d.scenery->moving, d.brains, geoms));
+            m_scatters.addStatic(expanded, i, d.scenery->moving != nullptr);
         }
     }
 
@@ -314,6 +322,7 @@ private:
             const std::string name = memberName(expanded, i);
             if (!isFree(part, name)) continue;
             m_context.out.robots.push_back(robot(part, name, expanded.placed(poses[i]), d.spec, d.brains));
+            m_scatters.addRobot(expanded, i);
             m_context.failedRobots.erase(&part);
         }
     }
@@ -331,13 +340,15 @@ private:
             const RobotDisc disc = d.scenery ? discOf(d.scenery->geoms, d.scenery->moving.get()) : discOf(*d.spec);
             if (&d == &all[0] || disc.radius > largest.radius) largest = disc;
         }
-        return scatterPoses(m_context, expanded, record, largest, m_moving);
+        m_scatters.add(expanded, record, largest);
+        return std::vector<Pose>(membersOf(part, record)); // for now
     }
 
     ResolveContext& m_context;
     std::map<std::string, std::shared_ptr<const RobotConfigSpec>> m_robots;
     std::map<std::string, std::shared_ptr<const StaticConfigSpec>> m_statics;
     std::vector<RobotSpec> m_moving; ///< of Statics, which come after all robots
+    ScatterPlaces m_scatters{m_context, m_moving};
     ConfigSizes m_sizes{m_context};
     const Part* m_instance = nullptr;                   ///< whose config is being resolved
     const InstanceVariants::Params* m_params = nullptr; ///< values from outside; null: none

@@ -81,10 +81,7 @@ void checkRadios(ResolveContext& context);
 /// Robots, statics, grids and scatters, in text order.
 void resolveInstances(ResolveContext& context, PartExpansion& world);
 
-/// The poses of a layout's members, in the world or in the member of a Repeat that it is in. Empty, with a diagnostic (E317), on
-/// failure. `moving`: what moves in the scenery, which a Scatter keeps clear of too.
+/// The poses of a Grid's members, in the world or in the member of a Repeat that it is in.
 [[nodiscard]] std::vector<Pose> gridPoses(ResolveContext& context, const Part& part, const Record& record);
-[[nodiscard]] std::vector<Pose> scatterPoses(ResolveContext& context, const ExpandedPart& expanded, const Record& record,
-                                             const RobotDisc& disc, const std::vector<RobotSpec>& moving);
 
 } // namespace trundle

@@ -143,7 +143,7 @@ private:
     }
 
     std::string value(const Kind& kind, const Property& p, const std::string& name, int depth) {
-        if (kind.name == "Scatter" && p.name == "Area") return "-1,-1,1,1";
+        if (kind.name == "Scatter" && p.name == "Area") return "-2,-2,2,2";
         if ((kind.role == Role::Layout || kind.role == Role::Repeat) && p.name == "Count") return "3";
         if (kind.role == Role::Layout && p.name == "Spacing") return "1";
         if (inConfig() && (p.name == "WheelRadius" || p.name == "WheelSeparation"))
