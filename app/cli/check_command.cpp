@@ -114,7 +114,7 @@ ExitCode check(Application& application, const CheckArguments& arguments) {
         }
         printDiagnostics(diagnostics.all(), sources);
         const std::string counts = countText(diagnostics.all());
-        writeOut(cleanLine(file) + ": " + (counts.empty() ? "ok" : counts) + "\n");
+        if (!writeOut(cleanLine(file) + ": " + (counts.empty() ? "ok" : counts) + "\n") && code == kExitDone) code = kExitText;
     }
     if (arguments.json && !writeOut(jsonText(all)) && code == kExitDone) code = kExitText;
     return code;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 
 namespace trundle {
 
@@ -20,15 +21,11 @@ std::string fixedText(double number, int digits) {
 }
 
 std::string shortText(double number, int digits) {
-    if (number != 0 && std::isfinite(number)) {
-        // Large numbers are written without an exponent: 1230000, not 1.23e+06.
-        const double size = std::floor(std::log10(std::fabs(number))) + 1;
-        if (size > digits && size < 15) {
-            const double unit = std::pow(10.0, size - digits);
-            return fixedText(std::round(number / unit) * unit, 0);
-        }
-    }
     char text[64];
+    // Large numbers are written without an exponent: 1230000, not 1.23e+06.
+    std::snprintf(text, sizeof text, "%.*e", digits - 1, number);
+    const double rounded = std::strtod(text, nullptr);
+    if (std::fabs(rounded) >= std::pow(10.0, digits) && std::fabs(rounded) < 1e14) return fixedText(rounded, 0);
     std::snprintf(text, sizeof text, "%.*g", digits, number);
     return text;
 }

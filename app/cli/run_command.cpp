@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <csignal>
 #include <filesystem>
 #include <optional>
 
@@ -82,6 +83,7 @@ private:
 };
 
 ExitCode RunCommand::go() {
+    std::signal(SIGPIPE, [](int) {}); // whoever reads the messages may end: the run does not
     m_report.name = experimentName(m_arguments.file);
     // A seed is an ordinary setting; it must be set before a Scatter places its objects.
     if (m_arguments.seed) m_arguments.open.sets.push_back("Seed=" + std::to_string(*m_arguments.seed));
@@ -299,7 +301,9 @@ ExitCode RunCommand::runLoaded() {
         printDiagnostics({*failure}, m_report.sources);
         report(*failure);
     }
-    return printResults(failure               ? exitCodeFor(failure->code)
+    const bool ofDevice = failure && failure->code == Code::DeviceSetup; // in a call, after its setup
+    return printResults(ofDevice              ? kExitController
+                        : failure             ? exitCodeFor(failure->code)
                         : outcome.interrupted ? kExitInterrupted
                         : stopped             ? kExitController
                         : filmed              ? kExitDone

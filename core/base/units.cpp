@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <numbers>
 
 namespace trundle {
@@ -209,6 +210,12 @@ std::vector<std::string> allUnitNames() {
     std::vector<std::string> names;
     for (const UnitInfo& unit : kUnits) names.emplace_back(unit.name);
     return names;
+}
+
+double wholeIfRounded(double value) {
+    constexpr double kRounding = 1e-12;
+    const double whole = std::nearbyint(value);
+    return std::abs(value - whole) <= kRounding * std::max(1.0, std::abs(whole)) ? whole : value;
 }
 
 std::optional<double> convertUnit(double value, std::string_view from, std::string_view to) {

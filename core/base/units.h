@@ -21,6 +21,9 @@ struct UnitInfo {
 /// Converts `value` from unit `from` to unit `to`; empty if a unit is unknown or the dimensions differ. Either may be a product of units, in SI.
 [[nodiscard]] std::optional<double> convertUnit(double value, std::string_view from, std::string_view to);
 
+/// The whole number that rounding has kept a quotient from, as .3/.1; others as they are.
+[[nodiscard]] double wholeIfRounded(double value);
+
 // Products and quotients of units: what "N/m" times "m" is.
 
 /// Exponents of m, kg, s, A, K and rad.

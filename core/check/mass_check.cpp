@@ -2,6 +2,7 @@
 #include <set>
 
 #include "check/checks.h"
+#include "check/linked_bodies.h"
 
 namespace trundle {
 
@@ -17,10 +18,11 @@ void checkJoint(const JointSpec& joint, const RobotConfigSpec& config, Diagnosti
     const double ratio = heavy->mass.mass / light->mass.mass;
     if (!(ratio > kMaxUneven)) return;
     diagnostics.warning(Code::MassRatio, light->nameRange,
-                        light->name + " of " + config.name + " weighs " + figureText(light->mass.mass) + " kg and " +
-                            heavy->name + ", which " + joint.name + " joins to it, " + figureText(heavy->mass.mass) +
-                            " kg: 1 to " + figureText(ratio) + " is more than the solver holds together (1 to 10000); give " +
-                            light->name + " more mass or " + heavy->name + " less");
+                        light->name + (config.name.empty() ? "" : " of " + config.name) + " weighs " +
+                            figureText(light->mass.mass) + " kg and " + heavy->name + ", which " + joint.name + " joins to it, " +
+                            figureText(heavy->mass.mass) + " kg: 1 to " + figureText(ratio) +
+                            " is more than the solver holds together (1 to 10000); give " + light->name + " more mass or " +
+                            heavy->name + " less");
 }
 
 } // namespace
@@ -31,6 +33,8 @@ void checkMasses(const ExperimentSpec& experiment, Diagnostics& diagnostics) {
         if (!robot.config || !seen.insert(robot.config.get()).second) continue;
         for (const JointSpec& joint : robot.config->joints) checkJoint(joint, *robot.config, diagnostics);
     }
+    const RobotConfigSpec linked = linkedBodies(experiment);
+    for (const JointSpec& joint : linked.joints) checkJoint(joint, linked, diagnostics);
 }
 
 } // namespace trundle

@@ -9,6 +9,7 @@
 
 #include "check/checks.h"
 #include "check/drive_wheels.h"
+#include "check/linked_bodies.h"
 #include "world/spring_row.h"
 
 namespace trundle {
@@ -20,6 +21,8 @@ constexpr double kLevelStrut = 0.3;                         // z of its unit axi
 constexpr double kPoints = 3; // that carry a robot
 // The ground's own spring: at least this stiff, and giving at most this far under a robot.
 constexpr double kGroundStiffness = 2e5, kGroundSag = 1e-4, kGravity = 9.81; // N/m, m, m/s^2
+
+std::string in(const RobotConfigSpec& config) { return config.name.empty() ? std::string() : " in " + config.name; }
 
 class SpringCheck {
 public:
@@ -35,14 +38,13 @@ public:
         for (const JointSpec& joint : config.joints) {
             if (!(joint.stiffness > 0) || reportedLevel(config, joint)) continue;
             const double inertia = inertiaOf(joint, config);
-            if (!report(joint.nameRange, "the spring of " + joint.name + " in " + config.name, joint.stiffness, joint.damping,
-                        inertia) &&
+            if (!report(joint.nameRange, "the spring of " + joint.name + in(config), joint.stiffness, joint.damping, inertia) &&
                 joint.type == JointType::Suspension)
                 checkDamping(config, joint, inertia);
         }
         for (const SpringSpec& spring : config.springs)
             if (spring.stiffness > 0)
-                report(spring.nameRange, "the spring " + spring.name + " in " + config.name, spring.stiffness, spring.damping,
+                report(spring.nameRange, "the spring " + spring.name + in(config), spring.stiffness, spring.damping,
                        inertiaOf(spring, config));
         double mass = 0;
         std::set<std::uint32_t> surfaces;
@@ -125,7 +127,7 @@ private:
         const double critical = 2 * std::sqrt(joint.stiffness * inertia); // N s/m
         if (joint.damping >= kLeastDamping * critical || !m_undamped.insert(&config).second) return;
         m_diagnostics.hint(Code::SpringTooFast, joint.nameRange,
-                           joint.name + " of " + config.name +
+                           joint.name + (config.name.empty() ? "" : " of " + config.name) +
                                " hardly damps its spring: after a bump the robot keeps swinging at " +
                                figureText(std::sqrt(joint.stiffness / inertia) / (2 * std::numbers::pi)) + " Hz; a Damping of " +
                                figureText(kUsualDamping * critical) + " N s/m, now " + figureText(joint.damping) + ", calms it");
@@ -157,6 +159,7 @@ void checkSprings(const ExperimentSpec& experiment, Diagnostics& diagnostics) {
     SpringCheck check(experiment, diagnostics);
     for (const RobotSpec& robot : experiment.robots)
         if (robot.config && seen.insert(robot.config.get()).second) check.check(*robot.config);
+    check.check(linkedBodies(experiment));
 }
 
 } // namespace trundle

@@ -41,8 +41,8 @@ std::optional<double> arc(const std::string& function, double value) {
 }
 
 std::optional<double> wholeNumber(const std::string& function, double value) {
-    if (function == "floor") return std::floor(value);
-    if (function == "ceil") return std::ceil(value);
+    if (function == "floor") return std::floor(wholeIfRounded(value));
+    if (function == "ceil") return std::ceil(wholeIfRounded(value));
     if (function == "round") return std::round(value);
     return std::nullopt;
 }

@@ -223,6 +223,7 @@ Status ExperimentRunner::finish() {
     for (const auto& file : m_folder.files())
         if (const Status closed = file->close(); !closed) (void)fail(closed.error(), {});
     if (m_hasLogs) m_folder.settle();
+    m_folder.release();
     return m_failure ? Status(Error{m_failure->code, m_failure->message}) : Status();
 }
 

@@ -164,8 +164,9 @@ private:
     bool readNumber(const GivenElement& element, PropertyValue& value) {
         if (element.kind != ElementKind::Number)
             return wrongType(element, m_property.type == PropertyType::Integer ? "a whole number" : "a number");
-        const std::optional<double> number = inPropertyUnit(element);
+        std::optional<double> number = inPropertyUnit(element);
         if (!number) return false;
+        if (m_property.type == PropertyType::Integer && !element.literal) number = wholeIfRounded(*number);
         if (m_property.type == PropertyType::Integer && *number != std::floor(*number))
             return wrongType(element, "a whole number");
         if (!inRange(*number)) return outOfRange(element, *number);

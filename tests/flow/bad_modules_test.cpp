@@ -152,7 +152,7 @@ void BadModulesTest::reportsEveryModuleFault_data() {
     row("a device: segv in act", {}, action("segv", "act"), 4, "crashed in act at t = 0.49 s", "cart", kRowsCut);
     row("a device: abort in sense", {}, action("abort", "sense"), 4, "crashed in sense", "cart", kRowsCut);
     row("a device: segv in a destructor", {}, action("segv", "destructor"), 4, "crashed in destructor", "", kRowsWhole);
-    row("a device: throw in act", {}, action("throw", "act"), 1, "cart/thing", "", kRowsCut);
+    row("a device: throw in act", {}, action("throw", "act"), 4, "cart/thing", "", kRowsCut);
     // An exception stops the controller, and the run with it.
     for (const char* thrown : {"throw", "throw int", "throw other", "throw much", "allocate"})
         row(thrown, action(thrown), {}, 4, "E410", "", kRowsCut);

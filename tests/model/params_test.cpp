@@ -74,6 +74,11 @@ private Q_SLOTS:
         row("sqrt(h * w * 10)", 1, "m");
         row("floor(-1.5)", -2);
         row("ceil(1.2)", 2);
+        row("floor(0.3 / 0.1)", 3); // 2.9999999999999996
+        row("floor(1.2 m / (40 cm))", 3);
+        row("floor(3 - 1e-9)", 2);
+        row("ceil((0.1 + 0.2) / 0.1)", 3); // 3.0000000000000004
+        row("ceil(3 + 1e-9)", 4);
         row("round(2.5)", 3);
         row("mod(-30, 360)", 330);
         row("mod(7, -3)", -2);

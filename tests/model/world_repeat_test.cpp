@@ -38,6 +38,14 @@ private Q_SLOTS:
         QCOMPARE(r.experiment->statics[1].geoms->at(0).size.z(), 2.0);
     }
 
+    void aCountMayBeAQuotientOfFractions() {
+        const Resolved r = world("Repeat row { Count=$(0.3 / 0.1) Pos=0,$(2*index),0 Robot cart { Config=Cart } }\n");
+        QCOMPARE(messagesOf(r), QString());
+        QCOMPARE(r.experiment->robots.size(), std::size_t(3));
+        QVERIFY(messagesOf(world("Repeat row { Count=$(0.3 / 0.1 + 1e-9) Robot cart { Config=Cart } }\n"))
+                    .contains("a whole number"));
+    }
+
     void aRingTurnsItsMembers() {
         const Resolved r = world("Ring fence { Count=4 Radius=2 Pos=1,0,0 Static post { Config=Post } Light lamp { Mode=lamp "
                                  "Pos=0,0,3 } }\n");

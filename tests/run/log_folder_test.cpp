@@ -25,6 +25,7 @@ private Q_SLOTS:
     void theFolderIsMadeWhenTheFirstFileIs();
     void oneRunReplacesItsOwnFilesOnly();
     void twoWritersOfOneFileAreRefused();
+    void twoRunsInOneFolderAreRefused();
     void linksAreNotFollowed();
     void keepsContentOfHardLink();
     void keepsNonFiles();
@@ -63,6 +64,22 @@ void LogFolderTest::theFolderIsMadeWhenTheFirstFileIs() {
     QVERIFY(!QFileInfo::exists(m_outer.filePath("logs")));
     QVERIFY(logs.create("deep/er/x.csv").ok());
     QVERIFY(QFileInfo::exists(m_outer.filePath("logs/deep/er/x.csv")));
+}
+
+void LogFolderTest::twoRunsInOneFolderAreRefused() {
+    LogFolder first(folder());
+    QVERIFY(first.create("x.csv").ok());
+    first.files().front()->write("first");
+    LogFolder second(folder()), elsewhere(folder() + "/below");
+    const Result<LogFile*> refused = second.create("y.csv");
+    QVERIFY(!refused);
+    QCOMPARE(refused.error().code, Code::LogUnwritable);
+    QVERIFY2(refused.error().message.starts_with("cannot write " + folder() + ": another run writes its logs there"),
+             refused.error().message.c_str());
+    QVERIFY(elsewhere.create("x.csv").ok());
+    QVERIFY(first.create("z.csv").ok());
+    first.release();
+    QVERIFY(second.create("y.csv").ok());
 }
 
 void LogFolderTest::oneRunReplacesItsOwnFilesOnly() {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -35,15 +36,29 @@ bool isOnePart(const std::string& name) {
 
 } // namespace
 
-FolderHandle::FolderHandle(FolderHandle&& other) noexcept : m_folder(std::exchange(other.m_folder, -1)) {}
+FolderHandle::FolderHandle(FolderHandle&& other) noexcept
+    : m_folder(std::exchange(other.m_folder, -1)), m_lock(std::exchange(other.m_lock, -1)) {}
 
 FolderHandle& FolderHandle::operator=(FolderHandle&& other) noexcept {
     std::swap(m_folder, other.m_folder);
+    std::swap(m_lock, other.m_lock);
     return *this;
 }
 
 FolderHandle::~FolderHandle() {
     if (m_folder >= 0) ::close(m_folder);
+    if (m_lock >= 0) ::close(m_lock);
+}
+
+bool FolderHandle::lock() {
+    const int file = ::openat(m_folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (file < 0) return true; // one that nobody may read
+    if (::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+        ::close(file);
+        return false;
+    }
+    m_lock = file;
+    return true;
 }
 
 Result<FolderHandle> FolderHandle::open(const std::string& path) {

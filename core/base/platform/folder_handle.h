@@ -38,9 +38,12 @@ public:
     /// Renames within the folder and replaces an existing file; a link is renamed itself, not its target.
     [[nodiscard]] Status rename(const std::string& from, const std::string& to) const;
 
+    /// Keeps others who call it for the same folder out for the life of this handle. False: another handle keeps it.
+    [[nodiscard]] bool lock();
+
 private:
     explicit FolderHandle(int folder) : m_folder(folder) {}
-    int m_folder = -1;
+    int m_folder = -1, m_lock = -1;
 };
 
 } // namespace trundle

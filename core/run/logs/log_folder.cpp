@@ -113,11 +113,25 @@ Result<FolderHandle> LogFolder::folderOf(const std::string& name, bool make) con
     return folder;
 }
 
+Status LogFolder::lock() {
+    if (m_locked) return {};
+    Result<FolderHandle> folder = folderOf(std::string(kLogList), true);
+    if (!folder) return folder.error();
+    const fs::path inside = m_location.below, shown = inside.empty() ? fs::path(m_location.folder) : m_location.folder / inside;
+    if (!folder.value().lock())
+        return unwritable(
+            shown.string(),
+            "another run writes its logs there; end it, or give this one a folder of its own: trundle-cli run --log-dir DIR");
+    m_locked = std::move(folder).value();
+    return {};
+}
+
 Result<LogFile*> LogFolder::create(std::string_view name) {
     if (m_location.empty()) return Error{Code::LogUnwritable, "this run keeps no logs"};
     Result<std::string> clean = cleanLogName(name);
     if (!clean) return clean.error();
     if (m_names.contains(clean.value())) return Error{Code::LogUnwritable, clean.value() + " is already written by this run"};
+    if (const Status locked = lock(); !locked) return locked.error();
     const Result<FolderHandle> folder = folderOf(clean.value(), true);
     if (!folder) return folder.error();
     const std::string path = (fs::path(m_location.path()) / clean.value()).string();

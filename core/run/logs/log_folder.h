@@ -54,11 +54,14 @@ public:
     explicit LogFolder(LogLocation location) : m_location(std::move(location)) {}
 
     /// Opens a new file; replaces one from an earlier run. Fails for a name already open in this run, a name outside the folder,
-    /// a path through a symbolic link (even one created in the meantime), and an existing path that is not a regular file.
+    /// a folder that another run writes to, a path through a symbolic link (even one created in the meantime), and an existing path that is not a regular file.
     [[nodiscard]] Result<LogFile*> create(std::string_view name);
 
     /// Removes a closed file that create() returned.
     void remove(const LogFile& file);
+
+    /// Another run may write there again. Call it when all files are closed.
+    void release() { m_locked.reset(); }
 
     /// Removes the files that an earlier run listed and this one did not write, and writes a new list. Removes only regular files
     /// directly in the folder, whatever the list contains. All files must be closed.
@@ -67,10 +70,13 @@ public:
     [[nodiscard]] const std::vector<std::unique_ptr<LogFile>>& files() const { return m_files; }
 
 private:
+    /// Keeps other runs out, of other programs too: the files of both may have the same names.
+    [[nodiscard]] Status lock();
     /// The folder that contains a file with a clean name, opened component by component; created if missing and `make` is set.
     [[nodiscard]] Result<FolderHandle> folderOf(const std::string& name, bool make) const;
 
     LogLocation m_location;
+    std::optional<FolderHandle> m_locked;
     std::vector<std::unique_ptr<LogFile>> m_files;
     std::unordered_set<std::string> m_names; ///< names of m_files, for fast lookup
 };
