@@ -2,11 +2,18 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string_view>
 #include <thread>
 
 namespace trundle {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view kSourceExtensions[] = {".cpp", ".cc", ".h", ".hpp"};
+
+} // namespace
 
 std::string moduleFolderOf(const std::string& file, const std::string& project) {
     std::error_code none;
@@ -18,6 +25,20 @@ std::string moduleFolderOf(const std::string& file, const std::string& project) 
             return folder.string();
     }
     return {};
+}
+
+std::vector<std::string> sourcesOfModule(const std::string& library, const std::string& project) {
+    std::vector<std::string> sources;
+    const std::string folder = moduleFolderOf(library, project);
+    if (folder.empty()) return sources;
+    std::error_code none;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
+        const std::string extension = entry.path().extension().string();
+        const bool isSource = std::ranges::count(kSourceExtensions, extension) > 0 || entry.path().filename() == "CMakeLists.txt";
+        if (isSource && entry.is_regular_file(none)) sources.push_back(entry.path().string());
+    }
+    std::ranges::sort(sources);
+    return sources;
 }
 
 std::vector<BuildStep> buildSteps(const std::string& folder, const Locations& locations) {

@@ -12,6 +12,9 @@ namespace trundle {
 /// that folder. Empty: none found. Absolute paths.
 [[nodiscard]] std::string moduleFolderOf(const std::string& file, const std::string& project);
 
+/// The sources in C++, and CMakeLists.txt, in the moduleFolderOf() a built library, by name. None if it is not in `project`.
+[[nodiscard]] std::vector<std::string> sourcesOfModule(const std::string& library, const std::string& project);
+
 /// One call of cmake, by its arguments.
 using BuildStep = std::vector<std::string>;
 

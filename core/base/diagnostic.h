@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/code_place.h"
 #include "base/codes.h"
 #include "base/source_range.h"
 #include "base/text_edit.h"
@@ -35,6 +36,7 @@ struct Diagnostic {
     // Of a run, the robot that it is about, and which of its controllers: the range is the same for all robots of one block.
     std::optional<std::size_t> robot = {}; ///< index in the experiment
     std::string controller = {};           ///< its name; empty: the robot itself
+    CodePlace place = {};                  ///< of a fault in the source of a module; the range is that of the block that uses it
 };
 
 /// Collects diagnostics; passed through every stage from text to model. Per file it keeps at most kMaxOfOneFile errors and as

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "base/assert.h"
+#include "base/code_place.h"
 #include "base/codes.h"
 
 namespace trundle {
@@ -15,6 +16,7 @@ namespace trundle {
 struct Error {
     Code code = Code::Internal;
     std::string message;
+    CodePlace place = {}; ///< in the source of a module, where the fault is there
 };
 
 template <class T> class [[nodiscard]] Result {

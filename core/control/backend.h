@@ -54,8 +54,7 @@ struct ControllerFault {
     std::vector<std::string> backtrace; ///< "act(std::string const&) at zoo.cpp:316", innermost first
     std::string process;                ///< a name for the process that ended; empty: that goes on
     bool isOwn = true;                  ///< false: another controller of the same process has the fault
-    std::string file;                   ///< absolute, where in the author's code it happened; empty: unknown
-    int line = 0;                       ///< there, from 1
+    CodePlace place = {};               ///< where in the author's code it happened
 };
 
 class ControllerBackend {

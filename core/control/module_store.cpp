@@ -185,7 +185,7 @@ void loadModules(const ExperimentSpec& experiment, const Registry& registry, con
         if (spec.library.empty()) continue; // already reported when it was not found
         const auto module = load(spec.library);
         if (!module) {
-            diagnostics.error(module.error().code, spec.range, module.error().message);
+            diagnostics.error(module.error().code, spec.range, module.error().message).place = module.error().place;
             continue;
         }
         const auto described = describedKinds(spec.library);
@@ -197,7 +197,9 @@ void loadModules(const ExperimentSpec& experiment, const Registry& registry, con
         const std::string old = kindsJsonPath(spec.library) + " no longer matches the module; build the module again";
         if (contentOf(checked) != contentOf(now))
             diagnostics.error(Code::ModuleDescriptionStale, spec.range,
-                              isOld ? old : spec.library + (isPython ? " was changed" : " was rebuilt") + ": reload it (Ctrl+Shift+R)");
+                              isOld ? old
+                                    : spec.library + (isPython ? " was changed" : " was rebuilt") +
+                                          ": load the experiment again (in the window Ctrl+Shift+R)");
         else if (isOld) diagnostics.warning(Code::ModuleDescriptionStale, spec.range, old);
     }
 }

@@ -18,11 +18,13 @@ CallTarget targetOf(const RobotSpec& robot, const ControllerSpec& controller, st
     return {controllerTitle(robot, controller), robot.name, controller.kind, {}, static_cast<std::uint32_t>(index)};
 }
 
-Diagnostic faultDiagnostic(Severity severity, double time, const std::string& text, const RunningController& controller) {
+Diagnostic faultDiagnostic(Severity severity, double time, const std::string& text, const RunningController& controller,
+                           CodePlace place = {}) {
     const ControllerSpec& spec = controller.spec();
     Diagnostic d{severity, Code::ControllerFailed, "at t = " + numberText(time) + " s " + text, spec.nameRange, {}, {}, {}};
     d.robot = controller.robot;
     d.controller = spec.name;
+    d.place = std::move(place);
     return d;
 }
 
@@ -50,7 +52,8 @@ std::pair<std::shared_ptr<RobotSpec>, std::size_t> viewForOneMore(const RobotSpe
 void ControllerSet::start(const BackendFactory& backends, Diagnostics& diagnostics) {
     std::set<std::string> said;
     const auto report = [&](const Error& error, const ComponentSpec& spec) {
-        if (said.insert(spec.kind + "\n" + error.message).second) diagnostics.error(error.code, spec.nameRange, error.message);
+        if (said.insert(spec.kind + "\n" + error.message).second)
+            diagnostics.error(error.code, spec.nameRange, error.message).place = error.place;
     };
     m_backends = backends;
     const std::vector<RobotSpec>& robots = experiment().robots;
@@ -337,8 +340,8 @@ void ControllerSet::reportFault(const RunningController& controller) {
     const ControllerFault& fault = *controller.backend->fault();
     const double time = tickTime(m_context.world.ticks(), experiment().settings.tick);
     m_stopped.push_back({controller.robot, controller.spec().name, time, fault});
-    m_context.warnings.push_back(
-        faultDiagnostic(Severity::Error, time, fault.reason + (m_ending ? "" : "; the run continues without it"), controller));
+    m_context.warnings.push_back(faultDiagnostic(
+        Severity::Error, time, fault.reason + (m_ending ? "" : "; the run continues without it"), controller, fault.place));
 }
 
 /// A destructor may have a fault too.

@@ -3,10 +3,11 @@
 #include "editor/problems/problems_model.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
+#include "editor/document/problems_in_code.h"
 #include "editor/problems/problem_icons.h"
-#include "editor/problems/python_problems.h"
 #include "editor/widgets/strings.h"
 #include "editor/widgets/theme.h"
 #include "project/edits/edit_target.h"
@@ -22,6 +23,8 @@ std::vector<std::string> bareSuggestions(const Diagnostic& d) {
         if (std::none_of(d.fixes.begin(), d.fixes.end(), [&](const Fix& fix) { return fix.title == word; })) bare.push_back(word);
     return bare;
 }
+
+bool isInCode(const Diagnostic& d) { return d.place.isKnown(); }
 
 bool before(const SourceRange& a, const SourceRange& b) {
     if (a.known() != b.known()) return b.known(); // diagnostics without a location come first: they concern the whole project
@@ -42,8 +45,10 @@ QString problemPlace(const LoadedProject& loaded, const SourceRange& place) {
 void ProblemsModel::setLoaded(std::shared_ptr<const LoadedProject> loaded, bool isSame) {
     // Most edits do not change the list; avoiding a reset then keeps the scroll position and the expanded rows.
     const std::shared_ptr<const LoadedProject> kept = std::exchange(m_loaded, std::move(loaded));
-    const std::shared_ptr<const PythonProblems> pythonBefore =
-        std::exchange(m_python, std::make_shared<const PythonProblems>(pythonProblemsOf(m_loaded)));
+    std::vector<Diagnostic> inCode;
+    if (m_loaded) std::ranges::copy_if(m_loaded->diagnostics.all(), std::back_inserter(inCode), isInCode);
+    const std::shared_ptr<const ProblemsInCode> inCodeBefore =
+        std::exchange(m_inCode, std::make_shared<const ProblemsInCode>(shownInCode(std::move(inCode), m_loaded)));
     const std::vector<Entry> before = m_entries;
     std::vector<Diagnostic> modelBefore;
     if (m_modelTexts != m_loaded) modelBefore.swap(m_modelProblems); // `before` has pointers into it
@@ -102,7 +107,7 @@ const std::shared_ptr<const LoadedProject>& ProblemsModel::textsOf(const Entry& 
     case Source::Run: return m_runTexts;
     case Source::Model: return m_modelTexts;
     case Source::Build: return m_buildTexts;
-    case Source::Python: return m_python->texts;
+    case Source::Code: return m_inCode->texts;
     case Source::Texts: break;
     }
     return m_loaded;
@@ -151,9 +156,9 @@ void ProblemsModel::rebuild() {
     const std::size_t ofRun = m_entries.size();
     if (m_loaded)
         for (const Diagnostic& d : m_loaded->diagnostics.all())
-            if (d.code != Code::PythonModule) take(d, Source::Texts);
-    if (m_python)
-        for (const Diagnostic& d : m_python->found) take(d, Source::Python);
+            if (!isInCode(d)) take(d, Source::Texts);
+    if (m_inCode)
+        for (const Diagnostic& d : m_inCode->problems) take(d, Source::Code);
     for (const Diagnostic& d : m_modelProblems) take(d, Source::Model);
     std::stable_sort(m_entries.begin() + static_cast<std::ptrdiff_t>(ofRun), m_entries.end(),
                      [](const Entry& a, const Entry& b) { return before(a.diagnostic->range, b.diagnostic->range); });

@@ -10,7 +10,7 @@
 
 namespace trundle {
 
-struct PythonProblems;
+struct ProblemsInCode;
 
 enum class ProblemOrder { Place, Severity };
 
@@ -54,7 +54,7 @@ Q_SIGNALS:
     void countsChanged(int errors, int warnings);
 
 private:
-    enum class Source { Texts, Python, Model, Run, Build };
+    enum class Source { Texts, Code, Model, Run, Build };
     struct Entry {
         const Diagnostic* diagnostic = nullptr;
         Source source = Source::Texts;
@@ -72,7 +72,7 @@ private:
 
     std::shared_ptr<const LoadedProject> m_loaded, m_runTexts, m_modelTexts, m_buildTexts;
     std::vector<Diagnostic> m_run, m_modelProblems, m_build;
-    std::shared_ptr<const PythonProblems> m_python; ///< of m_loaded, in place of those that it has
+    std::shared_ptr<const ProblemsInCode> m_inCode; ///< those of m_loaded with a place in the source of a module, there
     std::vector<Entry> m_entries; ///< shown, in order
     int m_errors = 0, m_warnings = 0;
     bool m_showErrors = true, m_showWarnings = true;

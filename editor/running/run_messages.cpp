@@ -3,13 +3,11 @@
 namespace trundle {
 
 ProblemsInCode RunMessages::problemsInCode(std::shared_ptr<const LoadedProject> built) const {
-    return shownInCode(m_problems, m_places, std::move(built));
+    return shownInCode(m_problems, std::move(built));
 }
 
-void RunMessages::addProblems(std::vector<Diagnostic> problems, std::vector<CodePlace> places) {
+void RunMessages::addProblems(std::vector<Diagnostic> problems) {
     if (problems.empty()) return;
-    places.resize(problems.size());
-    m_places.insert(m_places.end(), std::make_move_iterator(places.begin()), std::make_move_iterator(places.end()));
     m_problems.insert(m_problems.end(), std::make_move_iterator(problems.begin()), std::make_move_iterator(problems.end()));
     Q_EMIT problemsChanged();
 }
@@ -17,7 +15,6 @@ void RunMessages::addProblems(std::vector<Diagnostic> problems, std::vector<Code
 void RunMessages::clearProblems() {
     if (m_problems.empty()) return;
     m_problems.clear();
-    m_places.clear();
     Q_EMIT problemsChanged();
 }
 

@@ -4,7 +4,7 @@
 #include <QObject>
 
 #include "base/diagnostic.h"
-#include "editor/running/code_places.h"
+#include "editor/document/problems_in_code.h"
 #include "run/live/live_state.h"
 
 namespace trundle {
@@ -19,8 +19,7 @@ public:
     [[nodiscard]] const std::vector<Diagnostic>& problems() const { return m_problems; }
     /// The same, with those that are in the code of a controller there.
     [[nodiscard]] ProblemsInCode problemsInCode(std::shared_ptr<const LoadedProject> built) const;
-    /// `places`: of each problem; empty: none is in code.
-    void addProblems(std::vector<Diagnostic> problems, std::vector<CodePlace> places = {});
+    void addProblems(std::vector<Diagnostic> problems);
     void clearProblems();
     /// A console line of the window itself at simulated time `time` (s).
     void add(double time, int severity, const QString& text);
@@ -35,7 +34,6 @@ Q_SIGNALS:
 
 private:
     std::vector<Diagnostic> m_problems;
-    std::vector<CodePlace> m_places; ///< of each of them
 };
 
 } // namespace trundle

@@ -1,15 +1,23 @@
 #include "editor/running/run_source.h"
 
+#include <QDateTime>
 #include <QFileInfo>
 
+#include "app/module_build.h"
 #include "control/module_store.h"
 #include "control/python_kinds.h"
 #include "editor/running/module_list.h"
 #include "editor/running/python_watch.h"
+#include "editor/widgets/name_list.h"
 #include "project/loading/modules.h"
 #include "project/objects/unplaced_configs.h"
 
 namespace trundle {
+namespace {
+
+constexpr qsizetype kMostSources = 3;
+
+} // namespace
 
 RunSource::RunSource(Document& document, Application& application, QObject* parent)
     : QObject(parent), m_document(document), m_application(application), m_preview(application) {
@@ -85,6 +93,20 @@ std::vector<std::string> RunSource::unsavedModules() const {
         return !isPythonModule(file) || m_document.texts().isRemoved(file) || !QFileInfo::exists(QString::fromStdString(file));
     });
     return files;
+}
+
+QString RunSource::outdatedModules() const {
+    const LoadedProject& loaded = *m_document.loaded();
+    QStringList sources;
+    for (const ModuleSpec& module : loaded.experiment->modules) {
+        if (module.library.empty() || isPythonModule(module.library)) continue;
+        const QDateTime built = QFileInfo(QString::fromStdString(module.library)).lastModified();
+        for (const std::string& source : sourcesOfModule(module.library, loaded.projectFolder))
+            if (m_document.texts().isModified(source) || QFileInfo(QString::fromStdString(source)).lastModified() > built)
+                sources += QString::fromStdString(m_document.texts().shown(source));
+    }
+    if (sources.empty()) return {};
+    return tr("Runs a module that was built before %1 was changed; Ctrl+B builds it").arg(listed(sources, kMostSources));
 }
 
 } // namespace trundle

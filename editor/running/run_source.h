@@ -37,6 +37,8 @@ public:
     void readChangedModules();
     /// Python files with edits that are not on disk. A run executes what is on disk.
     [[nodiscard]] std::vector<std::string> unsavedModules() const;
+    /// That modules in C++ of the project were built before a source of theirs was changed, here or on disk; empty: none was.
+    [[nodiscard]] QString outdatedModules() const;
 
 Q_SIGNALS:
     void changed(); ///< the document or the edited model changed: refusal() may differ

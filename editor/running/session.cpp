@@ -6,7 +6,6 @@
 
 #include <trundle/abi.h>
 
-#include "editor/running/code_places.h"
 #include "editor/running/live_edits.h"
 #include "editor/widgets/name_list.h"
 #include "run/runner.h"
@@ -110,6 +109,7 @@ bool RunSession::begin(bool running, std::uint64_t steps) {
     saveModules();
     m_source->readChangedModules();
     if (const QString why = m_source->refusal(); !why.isEmpty()) return m_messages->refuse(why);
+    if (const QString old = m_source->outdatedModules(); !old.isEmpty()) warn(old);
     m_active.built = m_source->project();
     m_active.experiment = m_active.built->experiment;
     m_active.end.reset();
@@ -150,6 +150,10 @@ void RunSession::saveModules() {
     const Status saved = m_document.saving().save(files);
     if (saved) return addConsoleLine(TRUNDLE_INFO, tr("saved %1").arg(names));
     const QString text = tr("Runs without the unsaved edits of %1: %2").arg(names, QString::fromStdString(saved.error().message));
+    warn(text);
+}
+
+void RunSession::warn(const QString& text) {
     addConsoleLine(TRUNDLE_WARNING, text);
     Q_EMIT m_document.notice(text);
 }
@@ -278,8 +282,7 @@ void RunSession::readSnapshot() {
     m_messages->add(lines);
     if (!warnings.empty()) // the snapshot that they are about was published before them
         m_messages->add(faultLines(warnings, run->view().snapshot.get(), *m_active.experiment));
-    const std::vector<CodePlace> places = codePlacesOf(warnings, run->view().snapshot.get());
-    m_messages->addProblems(std::move(warnings), places);
+    m_messages->addProblems(std::move(warnings));
     if (wasReset()) return;
     if (!m_active.layout && (m_active.layout = view.layout)) {
         m_reader = std::make_unique<PoseReader>(*m_active.experiment, *m_active.layout);

@@ -84,6 +84,7 @@ private:
     void followDocument(const ChangeSet& changes);
     void reportLogs(), reportWaitingEdits(), saveModules();
     void addConsoleLine(int severity, const QString& text);
+    void warn(const QString& text);
 
     Document& m_document;
     std::shared_ptr<Notifier> m_notifier;

@@ -48,6 +48,13 @@ const DockPlace kRunPlaces[] = {{"scene", Qt::LeftDockWidgetArea, "", true},
                                 {"radios", Qt::BottomDockWidgetArea, "cameras", true},
                                 {"sensors", Qt::BottomDockWidgetArea, "radios", true}};
 
+/// The keyboard goes to the first part of a panel that takes it with Tab.
+void focusInto(const QWidget& panel) {
+    for (QWidget* at = panel.nextInFocusChain(); at != &panel; at = at->nextInFocusChain())
+        if (panel.isAncestorOf(at) && at->isVisible() && at->isEnabled() && (at->focusPolicy() & Qt::TabFocus))
+            return at->setFocus(Qt::ShortcutFocusReason);
+}
+
 } // namespace
 
 QString nameOf(Layout layout) { return layout == Layout::Edit ? QStringLiteral("Edit") : QStringLiteral("Run"); }
@@ -81,7 +88,10 @@ QDockWidget* Layouts::add(QWidget* panel, const QString& title) {
     auto* show = new QAction(tr("Show %1").arg(title), this);
     show->setObjectName(QStringLiteral("show.") + name);
     show->setEnabled(name == kGuide);
-    connect(show, &QAction::triggered, this, [this, name] { raise(name); });
+    connect(show, &QAction::triggered, this, [this, name, panel] {
+        raise(name);
+        focusInto(*panel);
+    });
     m_raising.append(show);
     return dock;
 }

@@ -91,6 +91,14 @@ private Q_SLOTS:
         QCOMPARE(moduleFolderOf(path("mods/wall/a.cpp"), path("mods/other")), std::string()); // of another project
         QCOMPARE(moduleFolderOf(path("mods/wall/a.cpp"), path("mods/wal")), std::string());
         QCOMPARE(moduleFolderOf(std::string(), project), std::string());
+        write("mods/wall/a.cpp", "");
+        write("mods/wall/wall.h", "");
+        write("mods/wall/notes.md", "");
+        const std::string library = path("mods/wall/build/libwall.so");
+        const std::vector<std::string> sources{path("mods/wall/CMakeLists.txt"), path("mods/wall/a.cpp"),
+                                               path("mods/wall/wall.h")};
+        QCOMPARE(sourcesOfModule(library, project), sources);
+        QVERIFY(sourcesOfModule(library, path("mods/other")).empty() && sourcesOfModule(path("mods/a.py"), project).empty());
     }
 
     void configuresOnce() {

@@ -271,7 +271,9 @@ private Q_SLOTS:
         made("libmind.so.kinds.json", bytesOf(kindsJsonPath(kAfter)));
         QCOMPARE(load().size(), std::size_t(1));
         QCOMPARE(load()[0].severity, Severity::Error);
-        QVERIFY2(load()[0].message.find("was rebuilt: reload it (Ctrl+Shift+R)") != std::string::npos, load()[0].message.c_str());
+        QVERIFY2(load()[0].message.find("was rebuilt: load the experiment again (in the window Ctrl+Shift+R)") !=
+                     std::string::npos,
+                 load()[0].message.c_str());
         QVERIFY(descriptionChanged(experiment, registry));
     }
 

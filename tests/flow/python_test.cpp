@@ -173,6 +173,28 @@ private Q_SLOTS:
         QVERIFY2(outcome.err.contains("[0 row_1] error:   second at "), shown(outcome));
     }
 
+    /// Their lines have no place: that is said once.
+    void linesOfOtherThreadsAreIgnored() {
+        const Outcome outcome =
+            run(withModule("import threading\nimport trundle\n\n\nclass Mine(trundle.Controller):\n"
+                           "    def update(self, t):\n        for _ in range(2):\n"
+                           "            other = threading.Thread(target=lambda: self.print('lost'))\n"
+                           "            other.start()\n            other.join()\n        self.print('kept')\n"),
+                {"--modules", m_folder.path()});
+        QVERIFY2(outcome.code == 0 && outcome.err.contains("kept") && !outcome.err.contains("lost"), shown(outcome));
+        QCOMPARE(outcome.err.count("what other threads of the module ask for is ignored"), 1);
+    }
+
+    void aLogIsWrittenAsTextOrBytes() {
+        const Outcome outcome =
+            run(withModule("import trundle\n\n\nclass Mine(trundle.Controller):\n    def setup(self, robot):\n"
+                           "        self.log = self.open_log('mine.csv')\n    def update(self, t):\n        self.log.write(5)\n"),
+                {"--modules", m_folder.path()});
+        QVERIFY2(outcome.code == 4 && outcome.err.contains("TypeError: a log is written as text or bytes, not as int"),
+                 shown(outcome));
+        QCOMPARE(contentOf(at("logs/mine.csv")), QByteArray());
+    }
+
     void aFaultInSetupIsAnErrorOfTheText() {
         const Outcome outcome = run(experiment("Phase=setup Action=divide"));
         QVERIFY2(outcome.code == 4, shown(outcome));
@@ -217,6 +239,12 @@ private Q_SLOTS:
                                       << QByteArray("TypeError: Mine.update is called as update(self, since_last), and does not take that");
         QTest::newRow("other setup") << mine + "    def setup(self):\n        pass\n" + update
                                      << QByteArray("TypeError: Mine.setup is called as setup(self, robot), and does not take that");
+        QTest::newRow("yields")
+            << mine + "    def update(self, since_last):\n        yield\n"
+            << QByteArray("TypeError: Mine.update would not run when it is called: it has a yield or is async, at mine.py:3");
+        QTest::newRow("is async") << mine + "    async def setup(self, robot):\n        pass\n" + update
+                                  << QByteArray(
+                                         "Mine.setup would not run when it is called: it has a yield or is async, at mine.py:3");
         QTest::newRow("exits") << QByteArray("import os\nos._exit(3)\n") << QByteArray("ended its process in load with exit code 3, in <module> at mine.py:2");
         QTest::newRow("crashes") << QByteArray("import ctypes\nctypes.string_at(1)\n")
                                  << QByteArray("crashed in load: Segmentation fault, in <module> at mine.py:2");

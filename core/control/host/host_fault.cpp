@@ -66,10 +66,7 @@ namespace {
 
 void setPlace(ControllerFault& fault, const std::vector<SourceFrame>& frames) {
     fault.backtrace = backtraceOf(frames);
-    if (const SourceFrame* own = ownFrame(frames)) {
-        fault.file = own->file;
-        fault.line = own->line;
-    }
+    if (const SourceFrame* own = ownFrame(frames)) fault.place = {own->file, own->line};
 }
 
 /// Also adds ", in act() at zoo.cpp:316" to the reason.
@@ -114,9 +111,9 @@ ControllerFault sharedFault(const ControllerFault& own, const std::string& contr
             false};
 }
 
-std::string faultOfLoading(const HostEnd& end, const std::string& library) {
-    const ControllerFault fault = faultOf(end, {}, library);
-    return fault.reason.substr(std::string_view("the module ").size());
+Error errorOfLoading(Code code, const HostEnd& end, const std::string& library) {
+    ControllerFault fault = faultOf(end, {}, library);
+    return {code, fault.reason.substr(std::string_view("the module ").size()), std::move(fault.place)};
 }
 
 } // namespace trundle

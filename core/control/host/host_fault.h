@@ -19,6 +19,6 @@ namespace trundle {
 /// Of a controller that shared the process with that of `faultyRobot`.
 [[nodiscard]] ControllerFault sharedFault(const ControllerFault& own, const std::string& controller, const std::string& faultyRobot);
 /// Why a module could not be loaded.
-[[nodiscard]] std::string faultOfLoading(const HostEnd& end, const std::string& library);
+[[nodiscard]] Error errorOfLoading(Code code, const HostEnd& end, const std::string& library);
 
 } // namespace trundle

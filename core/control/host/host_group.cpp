@@ -81,7 +81,7 @@ Result<std::string> HostGroup::loadInto(HostConnection& host) {
         HostRequest::Load, WireWriter().bytes(m_library).view(),
         [this](HostRecord record, std::uint32_t number, WireReader& in) { return handle(record, number, in); });
     m_waiting.reset();
-    if (!alive) return Error{Code::ModuleUnreadable, faultOfLoading(host.end(), m_library)};
+    if (!alive) return errorOfLoading(Code::ModuleUnreadable, host.end(), m_library);
     return *m_done ? Result<std::string>(std::exchange(m_more, {})) : m_done->error();
 }
 
@@ -154,7 +154,8 @@ Status HostGroup::call(std::size_t number, HostRequest request, std::string_view
         return withPlace(*m_done, member.outputs);
     }
     setFaults();
-    return Error{Code::ControllerFailed, member.fault ? member.fault->reason : "its process has ended"};
+    if (!member.fault) return Error{Code::ControllerFailed, "its process has ended"};
+    return Error{Code::ControllerFailed, member.fault->reason, member.fault->place};
 }
 
 /// The status of a request; of an exception in C++ with its place, the calls that led there are printed.
@@ -163,7 +164,7 @@ Status HostGroup::withPlace(const Status& status, const ControllerOutputs& outpu
     const ControllerFault fault = faultOfException(status.error().message, {}, m_thrown, m_library);
     for (const std::string& call : fault.backtrace)
         if (outputs.print) outputs.print(TRUNDLE_ERROR, "  " + call);
-    return Error{status.error().code, fault.reason};
+    return Error{status.error().code, fault.reason, fault.place};
 }
 
 Status HostGroup::start(std::size_t number, const SignalLayout& layout, SignalBlock& block, ControllerOutputs outputs) {

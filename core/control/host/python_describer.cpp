@@ -39,11 +39,11 @@ Result<std::vector<Kind>> PythonDescriber::describe(const std::string& file) {
                                           });
     if (!alive) {
         const HostEnd& end = host.value()->end();
-        const Error error{Code::PythonModule, faultOfLoading(end, file)};
+        const Error error = errorOfLoading(Code::PythonModule, end, file);
         if (end.cause == HostEnd::Cause::NotResponding) m_endless.insert_or_assign(file, std::pair(modified, error));
         return error;
     }
-    if (!done) return Error{Code::PythonModule, done.error().message};
+    if (!done) return Error{Code::PythonModule, done.error().message, done.error().place};
     auto kinds = kindsFromJson(json, file);
     if (!kinds) return Error{Code::PythonModule, kinds.error().message};
     cachePythonKinds(file, json);

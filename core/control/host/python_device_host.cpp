@@ -72,7 +72,7 @@ Result<std::vector<Kind>> PythonDeviceHost::load() {
                                               }
                                               return std::string();
                                           });
-    if (!alive) return Error{Code::PythonModule, faultOfLoading(m_connection->end(), m_file)};
+    if (!alive) return errorOfLoading(Code::PythonModule, m_connection->end(), m_file);
     if (!done) return done.error();
     Result<std::vector<Kind>> kinds = kindsFromJson(json, m_file);
     if (!kinds) return kinds;

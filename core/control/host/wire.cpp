@@ -10,9 +10,11 @@ WireWriter& WireWriter::value(const PropertyValue& value) {
 
 WireWriter& WireWriter::status(const Status& status) {
     number<std::uint8_t>(status.ok());
-    if (!status) number(static_cast<std::int32_t>(status.error().code)).bytes(status.error().message);
+    if (!status) number(static_cast<std::int32_t>(status.error().code)).bytes(status.error().message).place(status.error().place);
     return *this;
 }
+
+WireWriter& WireWriter::place(const CodePlace& place) { return bytes(place.file).number<std::int32_t>(place.line); }
 
 std::string_view WireReader::take(std::uint64_t count) {
     m_ok = m_ok && count <= m_rest.size();
@@ -39,7 +41,13 @@ PropertyValue WireReader::value() {
 Status WireReader::status() {
     if (number<std::uint8_t>() != 0) return {};
     const auto code = static_cast<Code>(number<std::int32_t>());
-    return Error{m_ok ? code : Code::Internal, text()};
+    std::string message = text();
+    return Error{m_ok ? code : Code::Internal, std::move(message), place()};
+}
+
+CodePlace WireReader::place() {
+    std::string file = text();
+    return {std::move(file), number<std::int32_t>()};
 }
 
 } // namespace trundle

@@ -31,6 +31,7 @@ public:
     }
     WireWriter& value(const PropertyValue& value);
     WireWriter& status(const Status& status);
+    WireWriter& place(const CodePlace& place);
 
     [[nodiscard]] std::string_view view() const { return m_bytes; }
     [[nodiscard]] std::string take() { return std::move(m_bytes); }
@@ -63,6 +64,7 @@ public:
     [[nodiscard]] std::uint64_t count();
     [[nodiscard]] PropertyValue value();
     [[nodiscard]] Status status();
+    [[nodiscard]] CodePlace place();
 
     [[nodiscard]] bool ok() const { return m_ok; }
     [[nodiscard]] bool atEnd() const { return m_rest.empty(); }

@@ -28,6 +28,7 @@ FoundModules findModules(const std::vector<ModuleReference>& references, ModuleC
             if (!failed.emplace(reference.written, reference.folder).second) continue;
             const Severity severity = isUnavailableModule(listing.error().code) ? Severity::Warning : Severity::Error;
             Diagnostic& d = diagnostics.add(severity, listing.error().code, reference.range, listing.error().message);
+            d.place = listing.error().place;
             if (listing.error().code == Code::ModuleNotFound && ++notFound > kMaxNotFound)
                 d.message = "too many modules are not found; those from here on are not looked for";
             found.modules.push_back({reference.written, {}, reference.range});

@@ -30,12 +30,8 @@ std::set<std::string> sourcesOfModules(const LoadedProject& loaded) {
     for (const ModuleSpec& module : loaded.experiment->modules) {
         if (!pathBelow(module.library, std::array{loaded.projectFolder})) continue;
         if (module.library.ends_with(".py")) found.insert(module.library);
-        const std::string folder = moduleFolderOf(module.library, loaded.projectFolder);
-        if (module.library.ends_with(".py") || folder.empty()) continue;
-        const QDir inside(QString::fromStdString(folder));
-        for (const QString& name :
-             inside.entryList({u"*.cpp"_qs, u"*.h"_qs, u"*.hpp"_qs, u"*.cc"_qs, u"CMakeLists.txt"_qs}, QDir::Files))
-            found.insert(inside.filePath(name).toStdString());
+        else
+            for (const std::string& source : sourcesOfModule(module.library, loaded.projectFolder)) found.insert(source);
     }
     return found;
 }
@@ -130,7 +126,7 @@ void TextPages::follow() {
     const History& history = m_document.edits().history();
     m_stepping =
         history.position() != m_historyAt && (history.position() < m_historyAt || history.entries().size() == m_historySize);
-    m_historyAt = history.position();
+    const std::size_t before = std::exchange(m_historyAt, history.position());
     m_historySize = history.entries().size();
     for (FilePage* page : pages()) {
         if (!m_document.texts().text(page->file())) {
@@ -140,8 +136,24 @@ void TextPages::follow() {
         page->follow();
         page->showProblems();
     }
+    if (m_stepping) showStep(history, before);
     m_stepping = false;
     showTitles();
+}
+
+/// Undo and redo from a text show what they have changed, also if that is in another text.
+void TextPages::showStep(const History& history, std::size_t before) {
+    if (!page() || !page()->edit().hasFocus()) return;
+    const std::size_t now = history.position();
+    const auto isHere = [this](const History::Step& step) { return step.splices.contains(page()->file()); };
+    const auto steps = history.entries().begin();
+    if (std::any_of(steps + std::ptrdiff_t(std::min(before, now)), steps + std::ptrdiff_t(std::max(before, now)), isHere)) return;
+    const auto& splices = history.entries()[now < before ? now : now - 1].splices;
+    if (splices.empty()) return;
+    const auto& [file, splice] = *splices.begin();
+    if (!m_document.texts().text(file) || m_document.texts().isRemoved(file)) return;
+    const auto end = static_cast<std::uint32_t>(splice.at + (now < before ? splice.removed : splice.inserted).size());
+    reveal(file, {end, end}, true);
 }
 
 FilePage* TextPages::addPage(const std::string& file) {

@@ -15,6 +15,7 @@ namespace trundle {
 
 class Document;
 class FilePage;
+class History;
 struct Diagnostic;
 struct LoadedProject;
 struct ModelProblems;
@@ -66,6 +67,7 @@ private:
     void removePage(FilePage& page);
     void showTitles();
     void showBuild(FilePage& page) const;
+    void showStep(const History& history, std::size_t before);
 
     Document& m_document;
     std::shared_ptr<const ModelProblems> m_modelProblems;

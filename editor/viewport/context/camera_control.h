@@ -48,6 +48,8 @@ public:
     /// Frames a box without changing the viewing direction. `gently`: with a short animation.
     void frame(const Bounds& bounds, bool gently);
     [[nodiscard]] bool isMoving() const { return m_glide.isActive(); } ///< in that animation
+    /// The free camera after that animation.
+    [[nodiscard]] const ViewCamera& destination() const { return isMoving() ? m_glideTo : m_camera; }
     void stop() { m_glide.stop(); }
 
     /// Looks through a robot's camera, "robot0/eye", and follows it until the user moves the view. "": returns to the previous

@@ -36,13 +36,17 @@ constexpr double kLeastFramed = 0.1; // m
 } // namespace
 
 ViewGrid::ViewGrid(const ViewContext& context)
-    : QSplitter(Qt::Horizontal), m_context(context), m_left(new QSplitter(Qt::Vertical)), m_right(new QSplitter(Qt::Vertical)) {
+    : QSplitter(Qt::Horizontal), m_context(context), m_left(new QSplitter(Qt::Vertical)), m_right(new QSplitter(Qt::Vertical)),
+      m_autoFraming(context) {
     addWidget(m_left);
     addWidget(m_right);
     makeViews();
     setViewCount(1);
     connectFraming();
-    connect(&m_context.world, &ViewportScene::posed, this, &ViewGrid::followDrivenRobot);
+    connect(&m_context.world, &ViewportScene::posed, this, [this] {
+        followDrivenRobot();
+        for (View* view : m_views) m_autoFraming.update(*view);
+    });
 }
 
 /// A new document is framed once, as soon as it has objects.
@@ -59,9 +63,18 @@ void ViewGrid::connectFraming() {
         m_toBeFramed = !std::exchange(m_awaitsFiles, false) && awaitsFiles(m_context.world.objects()->experiment());
         m_awaitsFiles = m_toBeFramed;
         m_frameWhenShown = !isVisible();
-        frameAll();
+        frameNew();
     });
     if (!m_context.world.objects()->instances().empty()) m_toBeFramed = false, m_frameWhenShown = true;
+}
+
+/// A new document is shown as its first View block says, and otherwise whole.
+void ViewGrid::frameNew() {
+    frameAll();
+    const std::vector<ComponentSpec>& looks = m_context.world.objects()->experiment().looks;
+    const auto view = std::ranges::find(looks, "View", &ComponentSpec::kind);
+    if (view != looks.end() && !showsModel(m_context.world)) m_current->camera().showNamed(view->name);
+    for (View* each : m_views) m_autoFraming.watch(*each);
 }
 
 /// The followed robot is not shown any more.
@@ -218,7 +231,7 @@ void ViewGrid::frameAll() {
 void ViewGrid::showEvent(QShowEvent* event) {
     QSplitter::showEvent(event);
     // It was framed before it had a size.
-    if (m_frameWhenShown) QTimer::singleShot(0, this, &ViewGrid::frameAll);
+    if (m_frameWhenShown) QTimer::singleShot(0, this, &ViewGrid::frameNew);
     m_frameWhenShown = false;
 }
 

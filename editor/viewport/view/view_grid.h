@@ -7,6 +7,7 @@
 
 #include <QSplitter>
 
+#include "editor/viewport/view/auto_framing.h"
 #include "editor/viewport/view/view.h"
 
 namespace trundle {
@@ -53,12 +54,14 @@ private:
     void makeViews();
     void connectFraming();
     void showModel();
+    void frameNew();
     void leaveFollowedRobot();
     void followDrivenRobot();
     void setCurrent(View& view);
 
     const ViewContext& m_context;
     QSplitter *m_left, *m_right;
+    AutoFraming m_autoFraming;
     std::vector<View*> m_views;
     View* m_current = nullptr;
     int m_shown = 1;

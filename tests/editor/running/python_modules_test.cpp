@@ -82,6 +82,49 @@ private Q_SLOTS:
         EVENTUALLY(!p.hasErrors() && p.field("Speed"));
     }
 
+    /// The folder's name is like the end of a message.
+    void theErrorIsAtTheLineOfTheSource_data() {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QByteArray>("file");
+        QTest::addColumn<QByteArray>("line"); // its text
+        QTest::newRow("syntax") << kBroken << QByteArray("odd at x.py:1 (y)/mind.py")
+                                << QByteArray("def update((self, since_last):");
+        QTest::newRow("exception") << with(kMind, "0.5", "1 / 0") << QByteArray("mind.py")
+                                   << QByteArray("speed = trundle.field(\"Speed\", 1 / 0, trundle.number(), \"How fast.\")");
+        QTest::newRow("method") << with(kMind, ", since_last", "") << QByteArray("mind.py") << QByteArray("def update(self):");
+        QTest::newRow("class") << with(kMind, "update", "updated") << QByteArray("mind.py")
+                               << QByteArray("class Mind(trundle.Controller):");
+    }
+    void theErrorIsAtTheLineOfTheSource() {
+        QFETCH(QByteArray, text);
+        QFETCH(QByteArray, file);
+        QFETCH(QByteArray, line);
+        Trial p;
+        QVERIFY(QDir(p.folder.path()).mkpath(QFileInfo(p.path(file.constData())).path()));
+        p.write(text, file.constData());
+        QVERIFY(p.open(with(kText, "mind.py", '"' + file + '"')));
+        const ProblemsInCode shown = shownInCode(p.document.loaded()->diagnostics.all(), p.document.loaded());
+        QCOMPARE(shown.problems.size(), std::size_t(1));
+        const Diagnostic& d = shown.problems[0];
+        QVERIFY(d.code == Code::PythonModule && d.notes.size() == 1);
+        QCOMPARE(QByteArray::fromStdString(std::string(shown.texts->sources[d.range.file].text->slice(d.range.range))), line);
+    }
+
+    void theErrorOfASetupIsAtItsLine() {
+        Trial p;
+        p.write(kMind + "    def setup(self, robot):\n        robot.motor(\"leftMoter\")\n");
+        QVERIFY(p.open(kText));
+        ProblemsInCode shown; // as soon as there are some: the run is left then
+        const auto take = [&] { shown = p.session.messages().problemsInCode(p.session.results().built); };
+        QObject::connect(&p.session.messages(), &RunMessages::problemsChanged, &p.session, take);
+        p.session.run();
+        EVENTUALLY(!shown.problems.empty());
+        QCOMPARE(shown.problems.size(), std::size_t(1));
+        const Diagnostic& d = shown.problems[0];
+        QVERIFY(d.code == Code::UnknownPort && d.place.line == 7);
+        QCOMPARE(std::string(shown.texts->sources[d.range.file].text->bytes().substr(d.range.range.begin, 11)), "robot.motor");
+    }
+
     /// Before the window has seen that the file changed.
     void runReadsAModuleThatDidNotLoad() {
         Trial p;

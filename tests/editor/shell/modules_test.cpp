@@ -157,10 +157,10 @@ private Q_SLOTS:
         const std::string before = text();
         makeComponent("Whisker", true);
         QVERIFY(text().find("Whisker") == std::string::npos && text().find("Wander brain") != std::string::npos);
+        QCOMPARE(page()->edit().styling().language(), CodeLanguage::Python);
         m_window->document().edits().undo(); // one entry
         QCOMPARE(text(), before);
         m_window->document().edits().redo();
-        QCOMPARE(page()->edit().styling().language(), CodeLanguage::Python);
         QVERIFY2(text().find("#loadModule whisker/whisker\n") != std::string::npos, text().c_str());
         const Kind* kind = m_window->document().loaded()->registry->find("Whisker");
         QVERIFY(kind && kind->role == Role::Device && kind->find("MaxRange"));

@@ -57,6 +57,17 @@ private Q_SLOTS:
         QVERIFY(m_window->findChild<QDockWidget*>(QStringLiteral("dock.radios"))->isVisible());
     }
 
+    void aPanelThatIsShownGetsTheKeyboard() {
+        m_window->selection().select("robot0");
+        for (const char* panel : {"properties", "scene", "history"}) {
+            QLineEdit& search = open();
+            QTest::keyClicks(&search, QStringLiteral("Show ") + QLatin1String(panel));
+            QTest::keyClick(&search, Qt::Key_Return);
+            const auto* dock = m_window->findChild<QDockWidget*>(QStringLiteral("dock.") + QLatin1String(panel));
+            EVENTUALLY(dock->isAncestorOf(m_window->focusWidget()));
+        }
+    }
+
     void insertsChosenKind() {
         m_window->selection().clear();
         QLineEdit& search = open();

@@ -21,6 +21,7 @@ private Q_SLOTS:
     void namesOfFilesAreShownAsTheyAre();
     void closesTabsOfRemovedFiles();
     void closesTabsOfFilesThatUndoRemoves();
+    void undoShowsTheTextThatItChanges();
     void cursorSelects();
     void selectionIsMarked();
     void closedDocumentIsEmpty();
@@ -48,6 +49,33 @@ void TabsTest::namesOfFilesAreWhole() {
     EVENTUALLY(bar->width() < 330);
     for (int i = 0; i < bar->count(); ++i)
         QVERIFY(bar->tabRect(i).width() > bar->fontMetrics().horizontalAdvance(bar->tabText(i)));
+}
+
+void TabsTest::undoShowsTheTextThatItChanges() {
+    TextFixture w;
+    const std::string drive = openDrive(w);
+    const std::string parts = w.document.texts().files().at(1);
+    QVERIFY(w.panel.openFile(parts));
+    w.edit().setFocus();
+    const auto end = static_cast<std::uint32_t>(w.shown().size());
+    w.edit().select({end, end});
+    QTest::keyClicks(&w.edit(), QStringLiteral("// more"));
+    QVERIFY(w.panel.openFile(drive));
+    w.edit().setFocus();
+    w.document.edits().undo(); // the last word
+    QCOMPARE(w.page().file(), parts);
+    QVERIFY(w.edit().hasFocus());
+    QCOMPARE(w.edit().caret(), end + 3);
+    QVERIFY(w.panel.openFile(drive));
+    w.edit().setFocus();
+    w.document.edits().redo();
+    QCOMPARE(w.page().file(), parts);
+    QCOMPARE(w.edit().caret(), end + 7);
+
+    QVERIFY(w.panel.openFile(drive)); // and the keyboard is elsewhere
+    w.edit().clearFocus();
+    w.document.edits().undo();
+    QCOMPARE(w.page().file(), drive);
 }
 
 void TabsTest::tabsFollowTheDocument() {

@@ -220,9 +220,10 @@ class PictureTest(unittest.TestCase):
 
 class MessagesTest(unittest.TestCase):
     def test_wire(self):
-        data = Writer().number("I", 7).bytes("väl").status((410, "why")).status().bytes(b"\0" * 16).data()
+        data = Writer().number("I", 7).bytes("väl").status((410, "why")).status((414, "it", ("/a b.py", 7))).status().bytes(b"\0" * 16).data()
         reader = Reader(data)
-        self.assertEqual((reader.number("I"), reader.text(), reader.status(), reader.status()), (7, "väl", (410, "why"), None))
+        self.assertEqual((reader.number("I"), reader.text()), (7, "väl"))
+        self.assertEqual([reader.status() for _ in range(3)], [(410, "why", ("", 0)), (414, "it", ("/a b.py", 7)), None])
         self.assertEqual(reader.numbers("d"), [0.0, 0.0])
 
     def test_long_messages_cross_in_parts(self):

@@ -37,6 +37,8 @@ class Log:
         return self._number >= 0
 
     def write(self, data):
+        if not isinstance(data, (str, bytes, bytearray, memoryview)):
+            raise TypeError(f"a log is written as text or bytes, not as {type(data).__name__}: write(f\"{{value}}\\n\")")
         if self.open:
             self._outside.write_log(self._number, data.encode() if isinstance(data, str) else bytes(data))
 

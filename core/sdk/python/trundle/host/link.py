@@ -64,6 +64,7 @@ class Link:
     def __init__(self, page):
         self._page = page
         self._thread = threading.get_ident()
+        self.ignored = None  # the controller of whatever another thread asked for last
         self._out, self._in = page.offsets["toRun"], page.offsets["toHost"]
         self._out_bytes, self._in_bytes = self._out + page.offsets["mailBytes"], self._in + page.offsets["mailBytes"]
 
@@ -106,9 +107,13 @@ class Link:
                 return message
             self._page.give_turn()
 
+    def is_own_thread(self):
+        return threading.get_ident() == self._thread
+
     def record(self, kind, controller, data=b""):
-        """Adds a record to the message to the run. False: in another thread."""
-        if threading.get_ident() != self._thread:
+        """Adds a record to the message to the run. False: in another thread, whose `controller` is kept in `ignored`."""
+        if not self.is_own_thread():
+            self.ignored = controller
             return False
         self._append(kind.to_bytes(4, "little") + controller.to_bytes(4, "little") + len(data).to_bytes(8, "little") + data)
         return True

@@ -11,49 +11,66 @@ from ..controller import Controller
 from ..description import kinds_to_json
 from ..device import Device
 from ..sensor import Sensor
+from .wire import NO_PLACE
 
 PACKAGE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 _LIBRARY = os.path.dirname(os.__file__) + os.sep
-_MOST_FRAMES = 40
+_MOST_FRAMES, _MOST_LINES = 40, 2 ** 31 - 1
 
 
 class Fault:
-    """An exception of a user's code: `text` has its file and line, `frames` the calls, innermost first, as (file, line, function)."""
+    """An exception of a user's code: `place` is its file and line, which `text` ends with; `frames` are the calls, innermost first, as
+    (file, line, function)."""
 
     def __init__(self, error):
         self.frames = []
-        place = ""
+        self.place = error.place if isinstance(error, _Unfit) else NO_PLACE
+        where = ", at" if self.place[0] else ""
         for frame in reversed(traceback.extract_tb(error.__traceback__)):
             if frame.filename.startswith((PACKAGE + os.sep, "<frozen")):
                 continue
             if len(self.frames) < _MOST_FRAMES:
                 self.frames.append((frame.filename, frame.lineno, frame.name))
-            if not place and not frame.filename.startswith((_LIBRARY, "/usr/lib/", "<")):
-                place = f", in {frame.name} at {os.path.basename(frame.filename)}:{frame.lineno}"
-        what = type(error).__name__
+            if not where and not frame.filename.startswith((_LIBRARY, "/usr/lib/", "<")):
+                self.place, where = (frame.filename, frame.lineno), f", in {frame.name} at"
+        what = "TypeError" if isinstance(error, _Unfit) else type(error).__name__
         try:
             words = str(error)
         except BaseException:  # of a class of the user's
             words = "its text cannot be read"
         if isinstance(error, SyntaxError) and error.filename:
             words = str(error.msg)
-            place = f", at {os.path.basename(error.filename)}:{error.lineno}"
-        self.text = (f"{what}: {words}" if words else what) + place
+            line = error.lineno if isinstance(error.lineno, int) else 0
+            self.place, where = (str(error.filename), min(max(line, 0), _MOST_LINES)), ", at"
+        self.text = f"{what}: {words}" if words else what
+        if where:
+            self.text += f"{where} {os.path.basename(self.place[0])}:{self.place[1]}"
+
+
+class _Unfit(TypeError):
+    """Of a class or a method that cannot be used as it is written."""
+
+    def __init__(self, code, words):
+        super().__init__(words)
+        try:
+            self.place = inspect.getsourcefile(code), inspect.getsourcelines(code)[1]
+        except Exception:  # made by other code
+            self.place = NO_PLACE
 
 
 def _methods(kind):
     """Those that are called, with their arguments."""
     if not issubclass(kind, Device):
         if kind.update is Controller.update:
-            raise TypeError(f"{kind.__name__} has no update(self, since_last)")
+            raise _Unfit(kind, f"{kind.__name__} has no update(self, since_last)")
         return (kind.setup, ("robot",)), (kind.update, ("since_last",)), (kind.load_state, ("state",)), (kind.save_state, ())
     if kind.act is Device.act and kind.sense is Device.sense:
-        raise TypeError(f"{kind.__name__} has neither act(self, world) nor sense(self, world)")
+        raise _Unfit(kind, f"{kind.__name__} has neither act(self, world) nor sense(self, world)")
     calls = (kind.setup, ("mount",)), (kind.act, ("world",)), (kind.sense, ("world",))
     if issubclass(kind, Sensor):
         for method, text in ((Sensor.measure, "measure(self, world)"), (Sensor.publish, "publish(self, reading, time)")):
             if getattr(kind, method.__name__) is method:
-                raise TypeError(f"{kind.__name__} has no {text}")
+                raise _Unfit(kind, f"{kind.__name__} has no {text}")
         calls += (kind.begin, ("mount",)), (kind.measure, ("world",)), (kind.publish, ("reading", "time"))
     return calls
 
@@ -62,11 +79,13 @@ def _check_calls(kind):
     """Raises TypeError where a method cannot be called as it will be."""
     for method, arguments in _methods(kind):
         name = method.__name__
+        if inspect.isgeneratorfunction(method) or inspect.iscoroutinefunction(method) or inspect.isasyncgenfunction(method):
+            raise _Unfit(method, f"{kind.__name__}.{name} would not run when it is called: it has a yield or is async")
         try:
             inspect.signature(method).bind(None, *arguments)
         except TypeError:
             wanted = ", ".join(("self",) + arguments)
-            raise TypeError(f"{kind.__name__}.{name} is called as {name}({wanted}), and does not take that") from None
+            raise _Unfit(method, f"{kind.__name__}.{name} is called as {name}({wanted}), and does not take that") from None
 
 
 class Module:

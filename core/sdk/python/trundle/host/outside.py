@@ -91,7 +91,7 @@ class Outside:
         reply = self._ask(CLAIM, Writer().bytes(command))
         fault = reply.status() if reply else (0, "ports are bound in setup and update alone")
         if fault:
-            raise ClaimedCommand(*fault)
+            raise ClaimedCommand(fault[0], fault[1])
 
     def find_radio(self, path):
         reply = self._ask(FIND_RADIO, Writer().bytes(path))

@@ -3,6 +3,8 @@
 
 import struct
 
+NO_PLACE = "", 0
+
 
 class Writer:
     def __init__(self):
@@ -25,10 +27,11 @@ class Writer:
         return self
 
     def status(self, fault=None):
-        """`fault`: None, or (code, message)."""
+        """`fault`: None, or (code, message), or (code, message, place), whose place in the source is a file and a line."""
         self.number("B", fault is None)
         if fault is not None:
-            self.number("i", fault[0]).bytes(fault[1])
+            code, message, (file, line) = fault if len(fault) == 3 else (*fault, NO_PLACE)
+            self.number("i", code).bytes(message).bytes(file).number("i", line)
         return self
 
     def data(self):
@@ -68,8 +71,7 @@ class Reader:
         return numbers, [self.text() for _ in range(self.number("Q"))]
 
     def status(self):
-        """None, or (code, message)."""
+        """None, or (code, message, place)."""
         if self.number("B"):
             return None
-        code = self.number("i")
-        return code, self.text()
+        return self.number("i"), self.text(), (self.text(), self.number("i"))

@@ -16,13 +16,15 @@ from ..signals import Entry, Image, UnknownPort
 from .devices import RunningDevice
 from .instance import Instance
 from .module import Fault, Module
-from .outside import DONE, SETUP_TICK, UPDATED, ClaimedCommand, Outside
+from .outside import DONE, PRINT, SETUP_TICK, UPDATED, ClaimedCommand, Outside
 from .wire import Reader, Writer
 
 LOAD, MAP, START, UPDATE, SET, STOP, UNLOAD, SAVE_STATE, LOAD_STATE, START_DEVICE, ACT, SENSE = range(12)  # requests
 _PHASES = {LOAD: 1, START: 2, UPDATE: 3, SET: 4, STOP: 5, UNLOAD: 6, SAVE_STATE: 7, LOAD_STATE: 8, START_DEVICE: 2, ACT: 9, SENSE: 10}
 CONTROLLER_FAILED, UNKNOWN_PORT, PYTHON_MODULE, INTERNAL = 410, 411, 414, 599
 _NO_CONTROLLER = 0xffffffff
+_IGNORED = ("print(), logs, cameras and radios of a controller work in its setup() and update() alone: what other threads of the module ask "
+            "for is ignored")
 # What code may raise to leave: also SystemExit and KeyboardInterrupt.
 _ANY = BaseException
 
@@ -59,7 +61,9 @@ class _Console(io.TextIOBase):
             self._put(called, begun)
 
     def _put(self, called, line):
-        if not (called and called.print(self._severity, line)) and self._otherwise:
+        if called and self._worker.is_own_thread():
+            called.print(self._severity, line)
+        elif self._otherwise:
             self._otherwise.write(line + "\n")  # of a thread, or outside of a call
 
     def flush(self):
@@ -109,6 +113,7 @@ class Worker:
         self._controllers = {}
         self._module = None
         self.called = None  # the outside of the controller that is called
+        self._said_ignored = False
         sys.stdout = _Console(self, INFO, sys.stderr)
         sys.stderr = _Console(self, WARNING, sys.stderr)
 
@@ -125,7 +130,13 @@ class Worker:
         self._page.set_word("controller", controller)
         self._page.set_word("phase", _PHASES[request])
 
+    def is_own_thread(self):
+        return self._link.is_own_thread()
+
     def _done(self, fault=None, more=""):
+        if self._link.ignored is not None and not self._said_ignored:
+            self._said_ignored = True
+            self._link.record(PRINT, self._link.ignored, Writer().number("i", WARNING).bytes(_IGNORED).data())
         writer = Writer().status(fault)
         if fault is None:
             writer.bytes(more)
@@ -142,7 +153,8 @@ class Worker:
             self._module = Module(path)
             text = self._module.description(self._module.sources())
         except _ANY as error:
-            return self._done((PYTHON_MODULE, f"{path} cannot be loaded: {Fault(error).text}"))
+            found = Fault(error)
+            return self._done((PYTHON_MODULE, f"{path} cannot be loaded: {found.text}", found.place))
         self._done(more=text)
 
     def _map(self, reader):
@@ -164,14 +176,14 @@ class Worker:
             running.start(kind)
             fault = (CONTROLLER_FAILED, running.outside.gave_up) if running.outside.gave_up else None
         except UnknownPort as error:
-            fault = (UNKNOWN_PORT, str(error))
+            fault = (UNKNOWN_PORT, str(error), Fault(error).place)
         except ClaimedCommand as error:
             fault = (error.code, str(error))
         except _ANY as error:
             found = Fault(error)
             for file, line, name in found.frames:
                 running.outside.print(3, f"  {name} at {file}:{line}")
-            fault = (CONTROLLER_FAILED, running.failed("failed in setup", found.text))
+            fault = (CONTROLLER_FAILED, running.failed("failed in setup", found.text), found.place)
         self.called = None
         self._done(fault)
 
