@@ -310,7 +310,7 @@ private Q_SLOTS:
             carried("Gps a { Body=base UpdatePeriod=0.1 Noise=1.5,3 CorrelationTime=0.5 VelocityNoise=0.1 Dropouts=0.2 }", "",
                     "Tick=0.1 Seed=11 Gravity=0,0,0"));
         QVERIFY2(w.ok(), w.failure().c_str());
-        std::vector<double> east, up, speed, times;
+        std::vector<double> east, north, up, speed, times;
         double n = 0, missed = 0, last = 0;
         for (int i = 0; i < 100000; ++i) {
             QVERIFY(w.run());
@@ -318,6 +318,7 @@ private Q_SLOTS:
             missed += w.value("r/a/time") == last;
             last = w.value("r/a/time");
             east.push_back(w.value("r/a/position", 0));
+            north.push_back(w.value("r/a/position", 1));
             up.push_back(w.value("r/a/position", 2));
             speed.push_back(w.value("r/a/velocity", 1));
         }
@@ -328,6 +329,7 @@ private Q_SLOTS:
               correlationOf(east, 1), lag1);
         QVERIFY(std::abs(missed / n - 0.2) < 4 * std::sqrt(0.2 * 0.8 / n));
         QVERIFY(std::abs(momentsOf(east).deviation / 1.5 - 1) < 4 / std::sqrt(effective));
+        QVERIFY(std::abs(momentsOf(north).deviation / 1.5 - 1) < 4 / std::sqrt(effective));
         QVERIFY(std::abs(momentsOf(up).deviation / 3 - 1) < 4 / std::sqrt(effective));
         QVERIFY(std::abs(momentsOf(speed).deviation / 0.1 - 1) < 4 / std::sqrt(n / 2));
         QVERIFY(std::abs(correlationOf(east, 1) - lag1) < 4 / std::sqrt(effective));

@@ -176,6 +176,24 @@ private Q_SLOTS:
         QVERIFY(w.run(50));
         QVERIFY(std::abs(w.value("r/servo/position")) < 1e-9);
     }
+
+    /// A load that is too heavy turns it faster than it runs by itself: it brakes with all of its torque.
+    void brakesWhatOverrunsIt() {
+        SensorWorld w(
+            "Tick=0.002\nRobotConfig Arm { Body base { Box b { Size=0.1,0.1,0.1 Mass=5 } } Body arm { Pos=0.5,0,0 Box b { "
+            "Size=0.1,0.1,0.1 Mass=1 Collide=false } }\n  Fixed f { Parent=world Child=base } Hinge h { Parent=base Child=arm "
+            "Axis=0,1,0 Anchor=0,0,0 }\n  Servo s { Joint=h MaxTorque=1 MaxSpeed=2 } }\nRobot r { Config=Arm Pos=0,0,2 }\n");
+        QVERIFY2(w.ok(), w.failure().c_str());
+        int faster = 0;
+        for (int i = 0; i < 200; ++i) {
+            QVERIFY(w.run());
+            const double rate = w.value("r/h/rate"), torque = w.value("r/s/torque");
+            if (rate < 2.2) continue;
+            ++faster;
+            QVERIFY2(std::abs(torque + 1) < 0.05, qPrintable(QStringLiteral("%1 rad/s, %2 Nm").arg(rate).arg(torque)));
+        }
+        QVERIFY(faster > 20);
+    }
 };
 
 QTEST_GUILESS_MAIN(ServoTest)

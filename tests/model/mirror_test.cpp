@@ -42,6 +42,32 @@ private Q_SLOTS:
         }
     }
 
+    /// Turning one way about an axis is turning the other way in the mirror, or about the reverse of its image.
+    void stopsOfAUniversalAreMirrored() {
+        for (const char* mirror : {"x", "y", "z"})
+            for (const auto& [first, second] :
+                 {std::pair("0,1,0", "1,0,0"), std::pair("1,0,0", "0,1,0"), std::pair("0,0,1", "1,0,0")}) {
+                const Resolved m = kit(std::string("PartConfig A { Body w { @ } Universal u { Parent=$on Child=w Axis=") + first +
+                                           " Axis2=" + second + " LowStop=-10 HighStop=20 LowStop2=-30 HighStop2=40 } }\n",
+                                       std::string("Body base { @ } Part p { Config=A on=base } Part v { Config=A Mirror=") +
+                                           mirror + " on=base }\n");
+                QCOMPARE(messagesOf(m), QString());
+                const JointSpec &u = m.config().joints.at(0), &image = m.config().joints.at(1);
+                const int normal = mirror[0] - 'x';
+                const auto check = [&](const Vec3& axis, const Vec3& other, double low, double high, double otherLow,
+                                       double otherHigh) {
+                    Vec3 turned = -axis; // an axis of rotation is reversed but for what is along the mirror's normal
+                    turned[normal] = axis[normal];
+                    const bool isSame = (other - turned).norm() < 1e-12;
+                    QVERIFY(isSame || (other + turned).norm() < 1e-12);
+                    QCOMPARE(otherLow, isSame ? low : -high);
+                    QCOMPARE(otherHigh, isSame ? high : -low);
+                };
+                check(u.axis, image.axis, *u.lowStop, *u.highStop, *image.lowStop, *image.highStop);
+                check(u.axis2, image.axis2, *u.lowStop2, *u.highStop2, *image.lowStop2, *image.highStop2);
+            }
+    }
+
     /// A gear sees the same image, seen from any side.
     void aGearOfSuchAnAxisRunsTheSameWay() {
         for (const char* heading : {"0", "5", "12", "37", "77", "90", "143", "-23"}) {

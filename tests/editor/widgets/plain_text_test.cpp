@@ -4,6 +4,7 @@
 #include <QtWidgets>
 
 #include "editor/widgets/apply_theme.h"
+#include "editor/widgets/name_list.h"
 #include "editor/widgets/plain_text.h"
 
 using namespace trundle;
@@ -131,6 +132,14 @@ private Q_SLOTS:
         QCOMPARE(tip()->textFormat(), Qt::PlainText);
         showHtmlToolTip(QPoint(5, 5), QStringLiteral("<i>once more</i>"), &window);
         QCOMPARE(tip()->textFormat(), Qt::RichText);
+    }
+
+    void namesAreListed() {
+        const QStringList names{QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c"), QStringLiteral("d")};
+        QCOMPARE(listed(names.mid(0, 1), 3), QStringLiteral("a"));
+        QCOMPARE(listed(names.mid(0, 3), 3), QStringLiteral("a, b, c"));
+        QCOMPARE(listed(names, 3), QStringLiteral("a, b, c and 1 more"));
+        QCOMPARE(listed(names, 1), QStringLiteral("a and 3 more"));
     }
 
     void aPathIsOneLine() {
