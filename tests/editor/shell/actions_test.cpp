@@ -151,6 +151,18 @@ private Q_SLOTS:
         QVERIFY(button(dialog, QStringLiteral("Set")).isEnabled());
     }
 
+    void keysAreKeptUntilTheyAreReset() {
+        const QKeySequence own(QStringLiteral("Ctrl+Alt+J"));
+        Actions first(actionTable());
+        const QKeySequence usual = first.at("view.frame").shortcut();
+        first.setShortcut("view.frame", own);
+        Actions second(actionTable());
+        QCOMPARE(second.at("view.frame").shortcut(), own);
+        second.resetShortcut("view.frame");
+        QCOMPARE(second.at("view.frame").shortcut(), usual);
+        QCOMPARE(Actions(actionTable()).at("view.frame").shortcut(), usual);
+    }
+
     void defaultKeysMoveFromOtherAction() {
         Actions actions(actionTable());
         const QKeySequence keys = actions.at("file.save").shortcut();

@@ -1,5 +1,7 @@
 // The parts of the text editor that do not depend on a widget.
 
+#include <limits>
+#include <numbers>
 #include <random>
 #include <set>
 
@@ -10,6 +12,7 @@
 #include "editor/text/code/token_styles.h"
 #include "editor/text/pages/typing_merger.h"
 #include "editor/text/search/text_search.h"
+#include "editor/text/symbols/property_text.h"
 #include "lang/lexer.h"
 
 using namespace trundle;
@@ -28,6 +31,8 @@ private Q_SLOTS:
     void lineCommands_data();
     void lineCommands();
     void mergesTypedWordIntoOneEntry();
+    void mergesWhatIsDeletedForward();
+    void defaultsAreInTheUnitOfTheProperty();
     void searches_data();
     void searches();
     void replacesGroups();
@@ -210,6 +215,37 @@ void PiecesTest::lineCommands() {
     text.insert(caret, "|");
     if (anchor != caret) text.insert(anchor < caret ? anchor : anchor + 1, "[");
     QTEST(QByteArray::fromStdString(text), "after");
+}
+
+void PiecesTest::mergesWhatIsDeletedForward() {
+    TypingMerger typing("f");
+    std::string text = "one two three";
+    const auto remove = [&](std::size_t at) {
+        typing.beginAction();
+        if (typing.startsEntry(at, 1, "")) typing.close(text);
+        text.erase(at, 1);
+        typing.changed(at, "");
+    };
+    for (int i = 0; i < 3; ++i) remove(4); // Delete, three times at one place
+    remove(0);                             // elsewhere
+    const auto entries = typing.take(text);
+    QCOMPARE(entries.size(), std::size_t(2));
+    QCOMPARE(entries[0].bytes, std::string("one  three"));
+    QCOMPARE(entries[1].bytes, std::string("ne  three"));
+}
+
+void PiecesTest::defaultsAreInTheUnitOfTheProperty() {
+    Property p;
+    p.unit = "deg";
+    p.scale = std::numbers::pi / 180;
+    p.minimum = -std::numeric_limits<double>::infinity();
+    p.maximum = std::numeric_limits<double>::infinity();
+    p.defaultValue = PropertyValue{PropertyType::Number, {std::numbers::pi / 4}, {}};
+    QCOMPARE(defaultText(p), std::string("45"));
+    QCOMPARE(factsText(p), std::string("deg, default 45"));
+    p.type = PropertyType::Boolean;
+    p.defaultValue = PropertyValue{PropertyType::Boolean, {1}, {}};
+    QCOMPARE(defaultText(p), std::string("true"));
 }
 
 void PiecesTest::mergesTypedWordIntoOneEntry() {

@@ -24,6 +24,7 @@ private Q_SLOTS:
     void countsInTheShownPage();
     void replacesAllAsOneEntry();
     void replacesOneByOne();
+    void aReplacementIsNotSearched();
     void reportsInvalidExpression();
 };
 
@@ -230,6 +231,18 @@ void SearchTest::replacesOneByOne() {
     QTest::mouseClick(w.child<QPushButton>("replaceOne"), Qt::LeftButton);
     QCOMPARE(w.text().count("Config = Ball"), 2);
     QCOMPARE(w.shown(), w.text());
+}
+
+void SearchTest::aReplacementIsNotSearched() {
+    TwoBalls w;
+    w.key(Qt::Key_H, Qt::ControlModifier);
+    QTest::keyClicks(w.child<QLineEdit>("findText"), QStringLiteral("Ball"));
+    QTest::keyClicks(w.child<QLineEdit>("replaceText"), QStringLiteral("BallBall"));
+    const auto before = w.text().count("Ball");
+    QTest::mouseClick(w.child<QPushButton>("replaceOne"), Qt::LeftButton);
+    QTest::mouseClick(w.child<QPushButton>("replaceOne"), Qt::LeftButton);
+    QCOMPARE(w.text().count("Ball"), before + 2);
+    QVERIFY2(!w.text().contains("BallBallBall"), w.text().constData());
 }
 
 void SearchTest::reportsInvalidExpression() {
