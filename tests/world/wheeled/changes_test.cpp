@@ -139,6 +139,7 @@ private Q_SLOTS:
         std::vector<std::unique_ptr<World>> worlds;
         for (Scene* each : {&scene, &always}) {
             each->robot("r", {}, small())
+                .robot("of another config", at(0, 3, 0), std::make_shared<RobotConfigSpec>(*small()))
                 .loose("thing", at(1, 0, 0.05), massOfBox(1, {0.1, 0.1, 0.1}), {box("b", {0.1, 0.1, 0.1}, {}, 1)});
             worlds.push_back(each->build());
             QVERIFY(worlds.back());
@@ -146,14 +147,17 @@ private Q_SLOTS:
         SurfaceSpec changed = scene.spec->surfaces[1];
         changed.friction = friction;
         QVERIFY(worlds[0]->setSurface(changed).ok());
-        double gone[2] = {};
+        double gone[2] = {}, other[2] = {};
         for (std::size_t i = 0; i < 2; ++i) {
             drive(*worlds[i], "r", 2);
+            drive(*worlds[i], "of another config", 2);
             QVERIFY(worlds[i]->push("thing/body", {0, 60, 0}, {1, 0, 0.05}).ok());
             QVERIFY(run(*worlds[i], 0.4));
             gone[i] = worlds[i]->robotPose(0).position.x();
+            other[i] = worlds[i]->robotPose(1).position.x();
         }
         QVERIFY2(gone[0] == gone[1], qPrintable(QString::number(gone[0] - gone[1])));
+        QVERIFY2(other[0] == other[1], qPrintable(QString::number(other[0] - other[1])));
         QVERIFY(position(*worlds[0], "thing/body") == position(*worlds[1], "thing/body"));
         QVERIFY((friction == 0) == (gone[0] < 0.01));
     }
