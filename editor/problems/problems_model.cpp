@@ -159,7 +159,12 @@ void ProblemsModel::rebuild() {
             if (!isInCode(d)) take(d, Source::Texts);
     if (m_inCode)
         for (const Diagnostic& d : m_inCode->problems) take(d, Source::Code);
-    for (const Diagnostic& d : m_modelProblems) take(d, Source::Model);
+    const auto isOfRun = [this](const Diagnostic& d) { // with the place in the source of a module, which the check has not
+        return std::ranges::any_of(
+            m_run, [&](const Diagnostic& r) { return isInCode(r) && r.code == d.code && r.message == d.message; });
+    };
+    for (const Diagnostic& d : m_modelProblems)
+        if (!isOfRun(d)) take(d, Source::Model);
     std::stable_sort(m_entries.begin() + static_cast<std::ptrdiff_t>(ofRun), m_entries.end(),
                      [](const Entry& a, const Entry& b) { return before(a.diagnostic->range, b.diagnostic->range); });
     if (m_order == ProblemOrder::Severity)

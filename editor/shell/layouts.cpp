@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include <QLayout>
+#include <QScrollArea>
 #include <QSettings>
 
 namespace trundle {
@@ -48,11 +50,18 @@ const DockPlace kRunPlaces[] = {{"scene", Qt::LeftDockWidgetArea, "", true},
                                 {"radios", Qt::BottomDockWidgetArea, "cameras", true},
                                 {"sensors", Qt::BottomDockWidgetArea, "radios", true}};
 
-/// The keyboard goes to the first part of a panel that takes it with Tab.
+/// The keyboard goes to the topmost part of a panel that takes it with Tab; what only scrolls does not count.
 void focusInto(const QWidget& panel) {
-    for (QWidget* at = panel.nextInFocusChain(); at != &panel; at = at->nextInFocusChain())
-        if (panel.isAncestorOf(at) && at->isVisible() && at->isEnabled() && (at->focusPolicy() & Qt::TabFocus))
-            return at->setFocus(Qt::ShortcutFocusReason);
+    QWidget* first = nullptr;
+    const auto place = [&panel](const QWidget* part) {
+        const QPoint at = part->mapTo(&panel, QPoint(0, 0));
+        return std::pair(at.y(), at.x());
+    };
+    for (QWidget* part : panel.findChildren<QWidget*>()) {
+        const bool takes = part->isVisible() && part->isEnabled() && (part->focusPolicy() & Qt::TabFocus);
+        if (takes && !qobject_cast<QScrollArea*>(part) && (!first || place(part) < place(first))) first = part;
+    }
+    if (first) first->setFocus(Qt::ShortcutFocusReason);
 }
 
 } // namespace

@@ -52,7 +52,7 @@ FolderHandle::~FolderHandle() {
 
 bool FolderHandle::lock() {
     const int file = ::openat(m_folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (file < 0) return true; // one that nobody may read
+    if (file < 0) return true; // a folder that may not be read
     if (::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
         ::close(file);
         return false;

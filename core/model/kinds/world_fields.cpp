@@ -168,8 +168,7 @@ void GridFields::describe(Describe<GridFields>& d) {
 
 void ScatterFields::describe(Describe<ScatterFields>& d) {
     d.help("Equal robots, or pieces of scenery, at random places clear of each other and of everything else. Takes what a Robot "
-           "or Static "
-           "takes; its members are name_0, name_1 ...");
+           "or Static takes; its members are name_0, name_1 ...");
     describePose(d, "RobotConfig|StaticConfig", "Origin of the area.");
     d.field("Count", &ScatterFields::count, whole(1, 200000).required(), "How many.");
     d.field("Area", &ScatterFields::area, position().required(), "x0, y0, x1, y1 about Pos.");

@@ -53,6 +53,19 @@ QByteArray messagesOf(const QAbstractItemModel& model) {
 class ProblemRowsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    /// The check of the robots finds it too, but not its line in the source of the controller.
+    void aFaultInCodeIsListedOnce() {
+        RowsFixture fixture;
+        QVERIFY(fixture.open("Tick = 0.01\n"));
+        ProblemsModel model;
+        model.setLoaded(fixture.document.loaded());
+        Diagnostic ofRun = problem("no port", {0, {1, 2}});
+        ofRun.place = {"/elsewhere/mind.py", 7};
+        model.setRun({ofRun}, fixture.document.loaded());
+        model.setModelProblems({problem("no port", {0, {1, 2}}), problem("odd wheel", {0, {1, 2}})}, fixture.document.loaded());
+        QCOMPARE(messagesOf(model), QByteArray("no port, odd wheel"));
+    }
+
     /// What concerns the whole project is first, then by place; or by severity, and then so.
     void order() {
         RowsFixture fixture;

@@ -65,6 +65,8 @@ private Q_SLOTS:
             QTest::keyClick(&search, Qt::Key_Return);
             const auto* dock = m_window->findChild<QDockWidget*>(QStringLiteral("dock.") + QLatin1String(panel));
             EVENTUALLY(dock->isAncestorOf(m_window->focusWidget()));
+            QVERIFY(!qobject_cast<QAbstractItemView*>(m_window->focusWidget()) ||
+                    panel != std::string("properties")); // its rows, not its live values
         }
     }
 
