@@ -1,5 +1,6 @@
 #include "cli/new_arena.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "base/clean_text.h"
@@ -16,9 +17,8 @@ void addRoomOptions(CLI::App& command, ArenaArguments& a) {
     const auto add = [&](const char* name, auto& to, const char* help, const char* type) {
         return command.add_option(name, to, help)->type_name(type)->group(kRoomGroup);
     };
-    CLI::Option* room = add("--room", a.roomSize, "A room: its length along x and its width along y, inside", "M")->expected(2);
-    CLI::Option* maze = add("--maze", a.mazeSize, "A maze: its rows and columns", "N")->expected(2);
-    maze->excludes(room);
+    add("--room", a.roomSize, "A room: its length along x and its width along y, inside", "M")->expected(2);
+    add("--maze", a.mazeSize, "A maze: its rows and columns", "N")->expected(2);
     add("--door", a.doorSide, "Of the room, an opening in the middle of a side: north, east, south, west", "SIDE")
         ->check(CLI::IsMember({"none", "north", "east", "south", "west"}));
     add("--door-width", a.room.doorWidth, "0.8", "M");
@@ -26,6 +26,29 @@ void addRoomOptions(CLI::App& command, ArenaArguments& a) {
     add("--wall-thickness", a.wallThickness, "0.1, of a maze 0.05", "M");
     add("--maze-seed", a.maze.seed, "The same seed gives the same maze: 1", "N");
 }
+
+/// An option, and those of which one has to be given with it; none: of an arena with obstacles.
+struct Companions {
+    const char* option;
+    std::vector<const char*> with;
+};
+const std::vector<const char*> kSorts = {"--plan", "--room", "--maze", "--heights"};
+const std::vector<Companions> kCompanions = {{"--plan-width", {"--plan"}},
+                                             {"--threshold", {"--plan"}},
+                                             {"--light-walls", {"--plan"}},
+                                             {"--most-boxes", {"--plan"}},
+                                             {"--wall-height", {"--plan", "--room", "--maze"}},
+                                             {"--wall-thickness", {"--room", "--maze"}},
+                                             {"--door", {"--room"}},
+                                             {"--door-width", {"--room"}},
+                                             {"--cell", {"--maze"}},
+                                             {"--maze-seed", {"--maze"}},
+                                             {"--heights-size", {"--heights"}},
+                                             {"--obstacles", {}},
+                                             {"--room-length", {}},
+                                             {"--room-width", {}},
+                                             {"--apart", {}},
+                                             {"--field-seed", {}}};
 
 RoomSide sideNamed(const std::string& name) {
     constexpr const char* kNames[] = {"none", "north", "east", "south", "west"};
@@ -81,6 +104,22 @@ void addArenaOptions(CLI::App& command, ArenaArguments& a) {
     add("--heights", a.heights, "A grey picture, black is low: PNG, also of 16 bit, JPEG, BMP, PGM or PPM", "FILE", kHeights)
         ->check(CLI::ExistingFile);
     add("--heights-size", a.heightsSize, "Along x, along y and height of white: 10 10 1", "M", kHeights)->expected(3);
+}
+
+void checkArenaOptions(const CLI::App& command) {
+    const auto isGiven = [&](const char* name) { return command.get_option(name)->count() > 0; };
+    const auto sort = std::ranges::find_if(kSorts, isGiven);
+    for (const char* other : kSorts)
+        if (sort != kSorts.end() && isGiven(other) && other != *sort)
+            throw CLI::ValidationError(other, "an arena is made from one thing: not with " + std::string(*sort));
+    for (const auto& [option, with] : kCompanions) {
+        if (!isGiven(option) || std::ranges::any_of(with, isGiven)) continue;
+        if (with.empty() && sort == kSorts.end()) continue;
+        std::string names = with.empty() ? "it is for an arena with obstacles: not with " + std::string(*sort) : "only with ";
+        for (std::size_t i = 0; i < with.size(); ++i)
+            names += (i == 0 ? "" : i + 1 == with.size() ? " or " : ", ") + std::string(with[i]);
+        throw CLI::ValidationError(option, names);
+    }
 }
 
 ExitCode makeNewArena(const ArenaArguments& a, const std::string& name, const std::string& parent, const Locations& locations) {

@@ -27,6 +27,8 @@ struct ArenaArguments {
 };
 
 void addArenaOptions(CLI::App& command, ArenaArguments& arguments);
+/// After the command line is read: refuses options that have no effect on the arena asked for. Throws CLI::ValidationError.
+void checkArenaOptions(const CLI::App& command);
 [[nodiscard]] ExitCode makeNewArena(const ArenaArguments& arguments, const std::string& name, const std::string& parent,
                                     const Locations& locations);
 

@@ -99,11 +99,12 @@ void addNew(CLI::App& app, const ApplicationFactory& application, ChosenCommand&
     arguments->robotOptions = optionsOf(*command, [&] { addRobotOptions(*command, arguments->robot); });
     arguments->arenaOptions = optionsOf(*command, [&] { addArenaOptions(*command, arguments->arena); });
     command->footer(kNewExamples);
-    command->callback([arguments, &application, &chosen] {
+    command->callback([arguments, command, &application, &chosen] {
         if (arguments->python && arguments->what != "controller" && arguments->what != "component")
             throw CLI::ValidationError("--python", "only controllers and components can be in Python");
         refuseOthers(arguments->robotOptions, "robot", arguments->what);
         refuseOthers(arguments->arenaOptions, "arena", arguments->what);
+        if (arguments->what == "arena") checkArenaOptions(*command);
         if (arguments->what == "robot") {
             chosen = [arguments] { return makeNewRobot(arguments->robot, arguments->kind, arguments->parent); };
             return;

@@ -76,7 +76,14 @@ private Q_SLOTS:
         QTest::newRow("no cells") << QStringList{"--maze", "0", "3"} << QByteArray("from 1 to 100 rows and columns");
         QTest::newRow("door") << QStringList{"--room", "2", "2", "--door", "north", "--door-width", "2"}
                               << QByteArray("narrower");
-        QTest::newRow("both") << QStringList{"--room", "2", "2", "--maze", "2", "2"} << QByteArray("excludes");
+        QTest::newRow("both") << QStringList{"--room", "2", "2", "--maze", "2", "2"}
+                              << QByteArray("--maze: an arena is made from one thing: not with --room");
+        QTest::newRow("of another") << QStringList{"--plan-width", "3"} << QByteArray("--plan-width: only with --plan");
+        QTest::newRow("of others") << QStringList{"--room", "2", "2", "--cell", ".5"} << QByteArray("--cell: only with --maze");
+        QTest::newRow("walls") << QStringList{"--obstacles", "4", "--wall-height", "2"}
+                               << QByteArray("--wall-height: only with --plan, --room or --maze");
+        QTest::newRow("obstacles") << QStringList{"--maze", "2", "2", "--apart", ".5"}
+                                   << QByteArray("--apart: it is for an arena with obstacles: not with --maze");
         QTest::newRow("flat") << QStringList{"--heights", m_folder.filePath("hills.pgm"), "--heights-size", "1", "1", "0"}
                               << QByteArray("The ground must be");
     }

@@ -2,6 +2,7 @@
 #include <QtTest>
 
 #include <cmath>
+#include <numeric>
 
 #include "world/world_chargers.h"
 
@@ -23,6 +24,7 @@ private Q_SLOTS:
             QCOMPARE(chargers.offered(10).volts, 12.);
             QCOMPARE(chargers.offered(11).volts, 6.); // the others stay
             QCOMPARE(chargers.offered(12).volts, 12.);
+            chargers.beginTick();
             chargers.take(10, 12, 0.5);
             chargers.beginTick();
             QCOMPARE(chargers.taken(second).watts, 6.);
@@ -32,26 +34,66 @@ private Q_SLOTS:
         }
     }
 
-    void thoseOfTheTickBeforeShareIt() {
+    /// What each of three batteries takes in each of four ticks, where one of them comes later.
+    void theyShareIt_data() {
+        QTest::addColumn<double>("most");
+        QTest::addColumn<QList<double>>("wanted");
+        QTest::addColumn<QList<double>>("first");
+        QTest::addColumn<QList<double>>("then");
+        QTest::newRow("equally") << 3. << QList<double>{9, 9, 9} << QList<double>{3, 0, 0} << QList<double>{1, 1, 1};
+        QTest::newRow("one wants little") << 3. << QList<double>{9, .5, 9} << QList<double>{3, 0, 0}
+                                          << QList<double>{1.2475, .5, 1.2475};
+        QTest::newRow("two want little") << 3. << QList<double>{.25, 9, .5} << QList<double>{.25, 2.75, 0}
+                                         << QList<double>{.25, 2.2425, .5};
+        QTest::newRow("all are satisfied") << 3. << QList<double>{1, .5, 1.25} << QList<double>{1, .5, 1.25}
+                                           << QList<double>{1, .5, 1.25};
+        QTest::newRow("nothing is offered") << 0. << QList<double>{1, .5, 1.25} << QList<double>{0, 0, 0}
+                                            << QList<double>{0, 0, 0};
+    }
+    void theyShareIt() {
+        QFETCH(double, most);
+        QFETCH(QList<double>, wanted);
+        QFETCH(QList<double>, first);
+        QFETCH(QList<double>, then);
         WorldChargers chargers;
-        chargers.offer(1, 10, 6, 3);
-        chargers.offer(1, 11, 6, 3); // another geom of the same device
-        QCOMPARE(chargers.offered(11).amperes, 3.);
-        for (const std::uint32_t geom : {10, 10, 11}) chargers.take(geom, 6, 9); // more than there is
-        QCOMPARE(chargers.taken(1).takers, 0u);                                  // not before the next tick
-        QCOMPARE(chargers.offered(10).amperes, 3.);
+        const auto tick = [&] {
+            chargers.offer(1, 10, 6, most);
+            chargers.offer(1, 11, 6, most); // another geom of the same device
+            chargers.beginTick();
+            QList<double> took;
+            for (qsizetype i = 0; i < wanted.size(); ++i) {
+                const std::uint32_t geom = i == 1 ? 11 : 10;
+                const double amperes = std::min(wanted[i], chargers.offered(geom).amperes);
+                chargers.take(geom, 5, amperes);
+                took.push_back(amperes);
+            }
+            return took;
+        };
+        QCOMPARE(tick(), first);
+        for (int i = 0; i < 3; ++i) {
+            QList<double> took = tick();
+            for (qsizetype k = 0; i > 0 && k < took.size(); ++k) QVERIFY(std::abs(took[k] - then[k]) < 1e-12);
+            QVERIFY(std::accumulate(took.begin(), took.end(), 0.) <= most * (1 + 1e-12));
+        }
+        const double all = std::accumulate(then.begin(), then.end(), 0.);
         chargers.beginTick();
-        QCOMPARE(chargers.taken(1).takers, 3u);
-        QCOMPARE(chargers.taken(1).amperes, 9.);
-        QCOMPARE(chargers.taken(1).watts, 54.);
-        QCOMPARE(chargers.offered(10).amperes, 1.);
-        chargers.take(11, 5, 0.25);
-        chargers.beginTick();
-        QCOMPARE(chargers.taken(1).amperes, 0.25);
-        QCOMPARE(chargers.taken(1).watts, 1.25);
+        QCOMPARE(chargers.taken(1).takers, all > 0 ? 3u : 0u);
+        QVERIFY(std::abs(chargers.taken(1).amperes - all) < 1e-12);
+        QVERIFY(std::abs(chargers.taken(1).watts - 5 * all) < 1e-12);
         chargers.beginTick();
         QCOMPARE(chargers.taken(1).takers, 0u);
-        QCOMPARE(chargers.offered(10).amperes, 3.);
+        QCOMPARE(chargers.offered(10).amperes, most); // nobody else is there any more
+    }
+
+    /// A battery takes no more than it was offered, and one that joins has its share in the next tick.
+    void noMoreThanThereIs() {
+        WorldChargers chargers;
+        chargers.offer(1, 10, 6, 3);
+        chargers.beginTick();
+        for (int i = 0; i < 3; ++i) chargers.take(10, 6, 9);
+        chargers.beginTick();
+        QCOMPARE(chargers.taken(1).amperes, 3.);
+        QCOMPARE(chargers.taken(1).watts, 18.);
     }
 
     void whatIsNoPowerIsNotOfferedOrTaken() {
@@ -59,6 +101,7 @@ private Q_SLOTS:
         chargers.offer(1, 10, 6, 2);
         chargers.offer(1, 10, std::nan(""), 1);
         chargers.offer(1, 10, 7, HUGE_VAL);
+        chargers.beginTick();
         QCOMPARE(chargers.offered(10).volts, 6.);
         chargers.take(10, std::nan(""), 1);
         chargers.take(10, 6, 0);
