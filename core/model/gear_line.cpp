@@ -26,7 +26,11 @@ std::optional<GearLine> betweenHinges(const JointLine& first, const JointLine& s
     if (sine > kParallel) {
         const Vec3 normal = across / sine, foot = first.point + apart.cross(second.axis).dot(across) / (sine * sine) * first.axis;
         const double along = size / sine / std::max(1.0, std::abs(share));
-        const Vec3 point = foot - share * along * first.axis + along * second.axis;
+        // The pitch cones meet on both sides of the foot: the wheels are on that of the anchors, whatever the senses of the axes.
+        const Vec3 way = second.axis - share * first.axis;
+        const bool isBehind = way.dot((first.point + second.point) / 2 - foot) < -kSameLine * way.norm();
+        const double side = isBehind ? -along : along;
+        const Vec3 point = foot - share * side * first.axis + side * second.axis;
         return GearLine{false, point, normal, momentAbout(first, point, normal)};
     }
     const double turned = first.axis.dot(second.axis) > 0 ? share : -share;

@@ -106,6 +106,31 @@ private Q_SLOTS:
         QVERIFY(isNear(w.vector("r/s/trueTorque"), {0, -0.3 * weight, 0}, 0.002 * inwards));
     }
 
+    /// The damper's force is part of it, as is the spring's: together they are what accelerates the load, and holds it.
+    void ofADampedSuspension() {
+        for (const double tick : {0.001, 0.01})
+            for (const double damping : {0., 20., 80.}) {
+                const double m = 2, k = 800;
+                SensorWorld w(
+                    "Tick=" + std::to_string(tick) +
+                    "\nRobotConfig C { Body base { Box b { Size=0.1,0.1,0.1 Mass=3 Collide=false } } Fixed f { Parent=world "
+                    "Child=base }\n Body b { Pos=0.3,0,0 Sphere q { Radius=0.05 Mass=2 Collide=false } }\n"
+                    " Suspension j { Parent=base Child=b Axis=0,0,1 Axis2=0,1,0 Stiffness=" +
+                    std::to_string(k) + " Damping=" + std::to_string(damping) +
+                    " }\n ForceSensor s { Joint=j Body=b } }\nRobot r { Config=C Pos=0,0,2 }\n");
+                QVERIFY2(w.ok(), w.failure().c_str());
+                double before = 0, off = 0, most = 0;
+                for (double t = 0; t < 0.5; t += tick) {
+                    QVERIFY(w.run());
+                    const double now = w.vector("r/b/velocity").z(), force = m * ((now - before) / tick + kGravity);
+                    if (t > 0) off = std::max(off, std::abs(w.vector("r/s/trueForce").z() - force));
+                    most = std::max(most, std::abs(force));
+                    before = now;
+                }
+                QVERIFY2(off < 1e-6 * most, qPrintable(QStringLiteral("%1 of %2 N").arg(off).arg(most)));
+            }
+    }
+
     void errsAsItsFieldsSay() {
         SensorWorld w(scale("Fixed wrist { Parent=stand Child=pan }",
                             "Joint=wrist Body=stand Noise=0.5,0.02 ForceBias=1,-2,3 TorqueBias=0.1,0.2,0.3 Resolution=0.01,0 "

@@ -129,9 +129,12 @@ const char* const kHead = "#import robots/simple_robot.sim\n#import robots/lidar
 
 const Case kCases[] = {
     {"one robot drives", "Robot r { Config=SimpleRobot LinearMotion b { Distance=3 Speed=0.2 } }\n", 3, 997},
-    {"ten wander, bump, touch", "Grid g { Config=SimpleRobot Count=5,2 Spacing=0.7 RandomDrive b { Speed=0.5 } }\n", 3000, 1000, 8},
-    {"fifty in a crowd", "Grid g { Config=SimpleRobot Count=10,5 Spacing=0.36 RandomDrive b { Speed=0.5 TurnRate=2 } }\n", 3000, 1000, 8},
-    {"range sensors, IMU, ground and light", "Grid g { Config=RoundRobot Count=3,3 Spacing=0.4 RandomDrive b { Speed=0.1 } }\n", 600, 400},
+    {"ten wander, bump, touch", "Grid g { Config=SimpleRobot Count=5,2 Spacing=0.7 RandomDrive b { Speed=0.5 } }\n", 3000, 1000,
+     8},
+    {"fifty in a crowd", "Grid g { Config=SimpleRobot Count=10,5 Spacing=0.36 RandomDrive b { Speed=0.5 TurnRate=2 } }\n", 6000,
+     1000, 8},
+    {"range sensors, IMU, ground and light", "Grid g { Config=RoundRobot Count=3,3 Spacing=0.4 RandomDrive b { Speed=0.1 } }\n",
+     600, 400},
     {"lidars", "Grid g { Config=LidarRobot Count=2,2 Spacing=0.8 RandomDrive b { Speed=0.1 TurnRate=0.5 } }\n", 600, 400, 2},
     {"compass, satellites, battery",
      "RobotConfig Full { Config=SimpleRobot Compass north { Body=chassis Noise=0.01 } Gps gps { Body=chassis Noise=0.02 }\n"
@@ -144,7 +147,8 @@ const Case kCases[] = {
      "  Body right { Pos=0,-0.06,0.05 Box pad { Size=0.06,0.02,0.06 Mass=0.1 Surface=rubber } }\n"
      "  Body arm { Pos=0.1,0,0.5 HPR=0,30,0 Box beam { Size=0.2,0.02,0.02 Mass=0.3 } }\n"
      "  Slider rail { Parent=world Child=palm Axis=0,0,1 Friction=2 }\n  Slider openLeft { Parent=palm Child=left Axis=0,1,0 }\n"
-     "  Slider openRight { Parent=palm Child=right Axis=0,-1,0 }\n  Hinge elbow { Parent=palm Child=arm Anchor=0,0,0.5 Axis=0,1,0 }\n"
+     "  Slider openRight { Parent=palm Child=right Axis=0,-1,0 }\n  Hinge elbow { Parent=palm Child=arm Anchor=0,0,0.5 "
+     "Axis=0,1,0 }\n"
      "  LinearMotor hoist { Joint=rail MaxForce=15 MaxSpeed=0.05 TimeConstant=0.5 }\n"
      "  Servo bend { Joint=elbow MaxTorque=0.2 MaxSpeed=2 }\n  Gripper hand { Left=openLeft Right=openRight Force=10 }\n}\n"
      "Robot crane { Config=Crane Pos=0,0,0.1 }\n",

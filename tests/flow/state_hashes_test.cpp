@@ -56,7 +56,7 @@ const World kWorlds[] = {
     {"batteries that run empty", nullptr,
      "RobotConfig Fed { Config=SimpleRobot Battery battery { Capacity=2000mAh Cells=10 Chemistry=NiMH InternalResistance=0.3 "
      "BaseLoad=2 StartLevel=0.0002 } }\nGrid g { Config=Fed Count=3,2 Spacing=0.8 BumpAndTurn b { Speed=0.4 } }\n",
-     "12", "7fd6b496408bc2a4"},
+     "12", "877d45b58005859d"},
     {"a gripper, a servo, a hoist", nullptr,
      "RobotConfig Crane {\n  Body palm { Pos=0,0,0.2 Box block { Size=0.2,0.3,0.02 Mass=2 } }\n"
      "  Body left { Pos=0,0.06,0.05 Box pad { Size=0.06,0.02,0.06 Mass=0.1 Surface=rubber } }\n"
@@ -70,7 +70,7 @@ const World kWorlds[] = {
      "  Gripper hand { Left=openLeft Right=openRight Force=10 }\n}\n"
      "RobotConfig Load { Body body { Box box { Size=0.04,0.1,0.06 Mass=0.5 Surface=rubber } } }\n"
      "Robot crane { Config=Crane }\nRobot load { Config=Load Pos=0.005,0.004,0.03 HPR=3,0,0 }\n",
-     "3", "dbc830192b74586e"},
+     "3", "907693610e3f949c"},
     {"robots that crowd", nullptr, "Grid g { Config=SimpleRobot Count=6,5 Spacing=0.5 RandomDrive b { Speed=0.6 TurnRate=2 } }\n",
      "8", "bade3b0aa19bbce4"},
     {"robots that crowd, a crate and a ball, on wheels", nullptr,
@@ -82,13 +82,13 @@ const World kWorlds[] = {
     {"quick solver, long ticks", nullptr,
      "Solver=quick Tick=0.03\nGrid g { Config=SimpleRobot Count=3,3 Spacing=0.6 RandomDrive b {} }\nRobot e { Config=EvBot "
      "Pos=1.4,1.4,0 BumpAndTurn b {} }\n",
-     "6", "8dc6aa8a90aae0ed"},
+     "6", "41aa7dac38769ed0"},
     {"a pile, chains, a hull", nullptr,
      "Grid a { Config=Crate Count=3,3 Spacing=0.11 Pos=0,0,0.1 }\nGrid b { Config=Ball Count=3,3 Spacing=0.12 Pos=0.02,0,0.4 }\n"
      "Grid c { Config=Can Count=3,3 Spacing=0.1 Pos=0,0.03,0.6 HPR=0,50,20 }\n"
      "Grid d { Config=Chain Count=2,2 Spacing=0.8,0.4 Pos=0,1,0.5 HPR=20,30,0 }\nRobot w { Config=Wedge Pos=-1,-1,0.5 "
      "HPR=30,40,50 }\n",
-     "2", "37f6b350d0d9e037"},
+     "2", "da3ac760123146dc"},
     {"springs and stops", nullptr,
      "RobotConfig Cart { Body hull { Pos=0,0,0.25 Box g { Size=0.5,0.3,0.1 Mass=4 Surface=plastic Material=red } }\n"
      "  Repeat corner { Count=2,2 Pos=$(0.4*index - 0.2),$(0.36*index2 - 0.18),0 Body wheel { Pos=0,0,0.1 Cylinder tyre { "

@@ -193,6 +193,25 @@ private Q_SLOTS:
         QVERIFY(gearLine(up, {false, {0, 0, 5}, Vec3::UnitZ()}, 1));
         QVERIFY(!gearLine(rack, rack, 2));
     }
+
+    /// The wheels are where the joints are: a mirror image, whose axes have either sense, is the image of it.
+    void theGearOfAMirrorImageIsItsImage() {
+        const JointLine first{false, {0.3, -0.1, 0.4}, Vec3(1, 2, -0.5).normalized()};
+        const JointLine second{false, {0.5, 0.2, 0.1}, Vec3(-0.4, 1, 1.2).normalized()};
+        const auto image = [](const Vec3& v) { return Vec3(v.x(), -v.y(), v.z()); };
+        for (const double share : {-2.7, -0.4, 0.8, 3.}) {
+            const auto whole = gearLine(first, second, share);
+            QVERIFY(whole);
+            for (const double sense : {1., -1.}) {
+                const JointLine a{false, image(first.point), sense * image(first.axis)},
+                    b{false, image(second.point), sense * image(second.axis)};
+                const auto mirrored = gearLine(a, b, share);
+                QVERIFY(mirrored);
+                QVERIFY((mirrored->point - image(whole->point)).norm() < 1e-12);
+                checkLine(a, b, share);
+            }
+        }
+    }
 };
 
 QTEST_APPLESS_MAIN(CouplingsTest)

@@ -11,7 +11,6 @@ namespace trundle {
 namespace {
 
 constexpr const char* kRefused = "its shape cannot be simulated; check its sizes, or build it from boxes, spheres and cylinders";
-constexpr double kFewestSupports = 3; // minimum number of contacts that share an actor's weight, unless it is a single ball
 
 /// Half the extent of a rotated box along each axis of the outer frame.
 Vec3 reach(const Mat3& axes, const Vec3& half) { return axes.cwiseAbs() * half; }

@@ -25,8 +25,10 @@ public:
     /// The rows of one contact.
     dJointID add(const OdeContact& contact, double h, dJointGroupID group, dJointFeedback* feedback) const;
 
-    /// N/m: of the ground alone, without what surfaces give.
-    [[nodiscard]] double stiffness(const OdeContact& contact) const { return stiffer(contact).stiffness; }
+    /// N/m: of the ground alone, without what surfaces give. Stiffer where it has borne more than the actor's weight.
+    [[nodiscard]] double stiffness(const OdeContact& contact) const { return stiffening(contact) * stiffer(contact).stiffness; }
+    /// m that it gives under its load, once that lasts.
+    [[nodiscard]] double sag(const OdeContact& contact) const;
     /// `h`: s, of a tick that begins.
     [[nodiscard]] FrictionLaw frictionLaw(const OdeContact& contact, double h = 0) const;
     /// A new contact of what has springs. Its depth, which came about in the rest of the tick in which the two met, is taken back
@@ -46,6 +48,8 @@ private:
     [[nodiscard]] double softness(const OdeContact& contact) const;
     [[nodiscard]] double mass(const OdeContact& contact) const;
     [[nodiscard]] double springStiffness(const OdeContact& contact) const;
+    [[nodiscard]] double stiffening(const OdeContact& contact) const;
+    [[nodiscard]] double blowDamping(const OdeContact& contact, double h) const;
     [[nodiscard]] const OdeActor& stiffer(const OdeContact& contact) const;
     void fillSurface(const OdeContact& contact, double h, dContact& out) const;
     void fillSpring(const OdeContact& contact, double h, dContact& out) const; // contact_spring.cpp

@@ -13,6 +13,7 @@ namespace {
 
 /// Of the ground's damping remains the sixth power of its share in the series: under 1 % of critical where a tick can follow the spring.
 constexpr double kLossPower = 6;
+constexpr double kBlowRest = 50;
 constexpr double kNoWork = 1e-9; // of the energy that goes back and forth
 
 } // namespace
@@ -35,6 +36,30 @@ const OdeActor& ContactRows::stiffer(const OdeContact& c) const {
     return c.partner == kNoActor || m_objects.actors[c.partner].stiffness < first.stiffness ? first : m_objects.actors[c.partner];
 }
 
+/// N that both of the last two ticks had.
+double lastingLoad(const OdeContact& c) { return c.ticks < 2 ? 0 : std::min(c.load, c.earlier); }
+
+/// An actor's contacts are as stiff as its own weight needs. What lies on it presses them as well: that share more. A surface with Softness
+/// has the same spring all the time, as what a spring takes is what it gives back.
+double ContactRows::stiffening(const OdeContact& c) const {
+    if (softness(c) > 0) return 1;
+    return std::max(1.0, lastingLoad(c) / (stiffer(c).stiffness * kFewestSupports * kMaxSag));
+}
+
+double ContactRows::sag(const OdeContact& c) const {
+    const double load = lastingLoad(c), most = (stiffening(c) > 1 ? kFewestSupports : 1) * kMaxSag;
+    return std::min(most, load / stiffness(c));
+}
+
+/// N s/m with which a blow without restitution leaves at most a fiftieth of the speed, however short the tick and large the masses: of the
+/// first tick of a contact. 0: of none.
+double ContactRows::blowDamping(const OdeContact& c, double h) const {
+    if (c.ticks > 0 || c.bounces || !(c.speed < -kCorrectingSpeed)) return 0;
+    const double own = m_objects.actors[c.actor].mass;
+    const double other = c.partner == kNoActor ? 0 : 1 / m_objects.actors[c.partner].mass;
+    return kBlowRest / (1 / own + other) / h;
+}
+
 double ContactRows::softness(const OdeContact& c) const {
     return m_settings.surfaces[m_geoms[c.first].surface].softness + m_settings.surfaces[m_geoms[c.second].surface].softness;
 }
@@ -46,7 +71,7 @@ double ContactRows::mass(const OdeContact& c) const {
 }
 
 double ContactRows::springStiffness(const OdeContact& c) const {
-    const double own = stiffer(c).stiffness, soft = softness(c);
+    const double own = stiffness(c), soft = softness(c);
     return soft > 0 ? 1 / (1 / own + soft) : own;
 }
 
@@ -91,14 +116,15 @@ bool ContactRows::landsOnSprings(const OdeContact& c) const {
 void ContactRows::fillSpring(const OdeContact& c, double h, dContact& out) const {
     const OdeActor& a2 = stiffer(c); // then both surfaces' give on top
     const OdeGeom &g1 = m_geoms[c.first], &g2 = m_geoms[c.second];
-    const double kp = springStiffness(c), soft = softness(c);
-    SpringRow row{h * kp + a2.damping, 0};
+    const double kp = springStiffness(c), soft = softness(c), damping = stiffening(c) * a2.damping;
+    SpringRow row{h * kp + damping, 0};
     bool swings = false;
     if (soft > 0) {
-        const double m = mass(c), kd = a2.damping * std::pow(kp / a2.stiffness, kLossPower);
+        const double m = mass(c), kd = damping * std::pow(kp / stiffness(c), kLossPower);
         swings = springTurn(kp, kd, m, h) <= kMaxSpringTurn;
         if (swings) row = springRow(kp, kd, m, h);
     }
+    if (soft == 0) row.give = std::max(row.give, blowDamping(c, h));
     dSurfaceParameters& s = out.surface;
     s.mode = dContactSoftERP | dContactSoftCFM;
     s.soft_erp = h * kp / row.give;

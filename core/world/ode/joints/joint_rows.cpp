@@ -263,6 +263,7 @@ void JointRows::updateSuspension(OdeJoint& joint, double h, double errorReductio
     const Vec3 axis = carried(joint, joint.slideAxis);
     const Vec3 gap = anchorGap(joint), couple = gap.cross(joint.slideForce);
     const double slide = axis.dot(gap);
+    joint.dampForce.setZero();
     // ODE lets the forces of both bodies act at their own anchors, which are apart: the parent's is moved to where the wheel is.
     dBodyAddTorque(m_bodies[joint.parent].id, couple.x(), couple.y(), couple.z());
     if (setEndOfTravel(joint, slide, h, errorReduction)) return;
@@ -273,6 +274,7 @@ void JointRows::updateSuspension(OdeJoint& joint, double h, double errorReductio
     if (row.carry == 0) return;
     const OdeBody &c = m_bodies[joint.child], &p = m_bodies[joint.parent];
     const Vec3 force = -row.carry * axis.dot(anchorSpeed(joint)) * axis, at = vec(c.p) + turn(c.r, joint.childAnchor);
+    joint.dampForce = force;
     dBodyAddForceAtPos(c.id, force.x(), force.y(), force.z(), at.x(), at.y(), at.z());
     dBodyAddForceAtPos(p.id, -force.x(), -force.y(), -force.z(), at.x(), at.y(), at.z());
 }

@@ -39,6 +39,8 @@ JointWrench JointWrenches::of(std::uint32_t index) const {
         sum.force += vec(first ? f->f1 : f->f2);
         sum.torque += vec(first ? f->t1 : f->t2);
     });
+    sum.force += joint.dampForce; // beside the rows
+    sum.torque += turn(m_objects.bodies[joint.child].r, joint.childAnchor).cross(joint.dampForce);
     // ODE's torques are about the centre of mass of each body. The parent's anchor is the one that jointAnchor gives.
     Vec3 anchor = joint.parentAnchor;
     if (joint.parent != kNone) {

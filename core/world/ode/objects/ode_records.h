@@ -17,13 +17,13 @@ inline constexpr std::uint32_t kNone = 0xffffffffu;
 
 // Measured, together with the joints' ErrorReduction of 0.8: less lets axles gape in a fast turn.
 inline constexpr double kWorldCfm = 1e-9;
-inline constexpr double kContactStiffness = 2e5;          ///< N/m
-inline constexpr double kContactDamping = 1100;           ///< N s/m
-inline constexpr double kMaxSag = 1e-4;                   ///< m, under an actor's own weight
-inline constexpr double kSuspendedStiffness = 40;         ///< times that, so that the ground gives little beside the springs
-inline constexpr double kCorrectingSpeed = 0.1;           ///< m/s
-inline constexpr int kParamStep = dParamVel2 - dParamVel; ///< from one axis of a motor to its next
-inline constexpr double kBounceSpeed = 0.05;              ///< m/s: slower impacts do not bounce
+inline constexpr double kContactStiffness = 2e5;             ///< N/m
+inline constexpr double kContactDamping = 1100;              ///< N s/m
+inline constexpr double kMaxSag = 1e-4, kFewestSupports = 3; ///< m, under an actor's own weight, which so many contacts share
+inline constexpr double kSuspendedStiffness = 40;            ///< times that, so that the ground gives little beside the springs
+inline constexpr double kCorrectingSpeed = 0.1;              ///< m/s
+inline constexpr int kParamStep = dParamVel2 - dParamVel;    ///< from one axis of a motor to its next
+inline constexpr double kBounceSpeed = 0.05;                 ///< m/s: slower impacts do not bounce
 
 /// A run of indices in an array of something.
 struct Run {
@@ -112,8 +112,8 @@ struct OdeJoint {
     // Of a motor whose effort is measured, at the start of the step, as its forces are: the axis, and the anchor from the child's centre.
     Vec3 startAxis = Vec3::UnitZ(), startArm = Vec3::Zero();
     double lowStop = 0, highStop = 0; ///< of a ball: how far `childAxis` tilts from `parentAxis`
-    Vec3 slideAxis = Vec3::UnitZ(), slideForce = Vec3::Zero(); ///< of a suspension: in the parent's axes; on the parent, world
-    Vec3 secondAxis = Vec3::UnitZ();  ///< of a universal joint, in the child's axes
+    Vec3 slideAxis = Vec3::UnitZ(), slideForce = Vec3::Zero(), dampForce = Vec3::Zero(); ///< parent's axes; on parent, child
+    Vec3 secondAxis = Vec3::UnitZ();                                     ///< of a universal joint, in the child's axes
     double stiffness = 0, damping = 0, travel = 0, rest = 0, beyond = 0; ///< beyond: m, past the travel; -: past its lower end
     // Of a universal joint about its second axis:
     double stiffness2 = 0, damping2 = 0, lowStop2 = 0, highStop2 = 0, position2 = 0, rate2 = 0;
@@ -131,7 +131,7 @@ struct OdeCoupling {
     std::uint32_t first = 0, second = kNone; ///< bodies; of a spring child and parent
     dJointID id = nullptr;
     std::unique_ptr<dJointFeedback> feedback;
-    Vec3 direction = Vec3::UnitZ(); ///< of the row in this tick, world; on the first body
+    Vec3 direction = Vec3::UnitZ();        ///< of the row in this tick, world; on the first body
     static constexpr double kApart = 1000; ///< m
     double shift = 0, side = 1;            ///< m, by which a force's ends are to part beyond that; side of the first one: 1, -1
     CouplingState state;
