@@ -157,6 +157,22 @@ private:
         return false;
     }
 
+    /// Whether the wheel would touch a ground that is as high everywhere.
+    [[nodiscard]] static bool isOverEdge(const RobotSpec& robot, const DriveWheel& wheel, const Low& lowest, const Vec3& normal,
+                                         double share) {
+        const auto lowOf = [&](const GeomSpec& geom, const BodySpec& body) {
+            return extentAlong(geom, robot.pose * body.pose * geom.pose, normal).low;
+        };
+        const double gap = lowOf(*wheel.geom, robot.config->bodies[wheel.body]) - lowOf(*lowest.geom, *lowest.body);
+        return gap <= std::max(kOffGround, share * wheel.geom->radius);
+    }
+
+    void reportEdge(const RobotSpec& robot, const DriveWheel& wheel, double gap) {
+        m_diagnostics.warning(Code::WheelOffGround, robot.nameRange,
+                              robot.name + " is placed over an edge: the ground below " + robot.config->bodies[wheel.body].name +
+                                  " is " + lengthText(gap) + " lower than elsewhere below it; check its Pos");
+    }
+
     /// Wheels that stay in the air when the lowest shape of their robot touches the ground. A free one that is higher than half of its
     /// radius is for something else, and one of a robot with three other supports too.
     void checkGround(std::uint32_t r, std::vector<DriveWheel> wheels, const std::vector<DriveWheel>& free) {
@@ -179,7 +195,8 @@ private:
             if (gap <= std::max(kOffGround, share * wheel.geom->radius)) continue;
             if (ballUnder(*robot.config, wheel) || isOfStar(*robot.config, wheel, wheels)) continue;
             if (!wheel.motor && (supports >= kEnough || gap > kFreeShare * wheel.geom->radius)) continue;
-            reportOffGround(*robot.config, wheel, *lowest.geom, *lowest.body, gap);
+            if (isOverEdge(robot, wheel, lowest, *normal, share)) reportEdge(robot, wheel, gap);
+            else reportOffGround(*robot.config, wheel, *lowest.geom, *lowest.body, gap);
             return; // the others are the same fault
         }
         for (const DriveWheel& wheel : wheelsAcross(*robot.config)) {

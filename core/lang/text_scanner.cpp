@@ -189,10 +189,11 @@ std::size_t TextScanner::unitEnd(std::size_t from) const {
         if (startsWith(from, sign)) return from + sign.size();
     if (!wordStartsAt(from)) return from;
     const std::size_t ident = identEnd(from);
-    // `Param r = 5 cm { Min=...`: what follows a unit describes the Param
-    const bool isDescribed = at(skipBlanks(ident)) == '{' && findUnit(m_text.substr(from, ident - from));
+    // `Param r = 5 cm { Min=...`: what follows a unit describes the Param; `a == 5 cm == b`
+    const std::size_t after = skipBlanks(ident);
+    const bool isUnit = (at(after) == '{' || startsWith(after, "==")) && findUnit(m_text.substr(from, ident - from));
     if (isBlank(at(from - 1)) && otherPathEnd(from) > from) return from;
-    if (isReservedWord(from, ident) || (!isDescribed && isKeyOrKind(from, ident))) return from;
+    if (isReservedWord(from, ident) || (!isUnit && isKeyOrKind(from, ident))) return from;
 
     const auto powerAt = [this](std::size_t i) { return startsWith(i, "\u00B2") || startsWith(i, "\u00B3"); };
     std::size_t run = from;

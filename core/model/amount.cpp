@@ -72,11 +72,16 @@ struct Product {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 
+double factorOf(const std::string& unit) {
+    const UnitInfo* info = findUnit(unit);
+    return info ? info->factor : 1;
+}
+
 std::optional<Product> productFrom(const Amount& a) {
     const std::optional<UnitExponents> exponents = exponentsOf(a.unit);
     if (!exponents) return std::nullopt;
     const bool isInDegrees = a.unit.starts_with("deg");
-    return Product{isInDegrees ? a.value : a.value * std::pow(kDegrees, (*exponents)[kRadian]), *exponents};
+    return Product{isInDegrees ? a.value : a.value * factorOf(a.unit) * std::pow(kDegrees, (*exponents)[kRadian]), *exponents};
 }
 
 Amount amountOf(const Product& product) {
@@ -84,7 +89,7 @@ Amount amountOf(const Product& product) {
     const UnitInfo* info = findUnit(unit);
     const std::string base = info ? baseUnit(info->dimension) : unit;
     if (base.starts_with("deg")) return {product.value, base};
-    return {product.value * std::pow(kDegrees, -product.exponents[kRadian]), base};
+    return {product.value * std::pow(kDegrees, -product.exponents[kRadian]) / factorOf(base), base};
 }
 
 /// a times b to the power of `power`, 1 or -1.
@@ -131,12 +136,12 @@ Result<Amount> extreme(const std::string& function, std::span<const Amount> argu
     return best;
 }
 
+/// Numbers that differ by rounding are equal: 0.1 * 3 == 0.3.
 bool holds(const std::string& comparison, double a, double b) {
-    if (comparison == "<") return a < b;
-    if (comparison == ">") return a > b;
-    if (comparison == "<=") return a <= b;
-    if (comparison == ">=") return a >= b;
-    return comparison == "==" ? a == b : a != b;
+    const bool equal = std::abs(a - b) <= kUnitRounding * std::max(std::abs(a), std::abs(b));
+    if (comparison == "==" || comparison == "!=") return equal == (comparison == "==");
+    if (equal) return comparison.size() == 2; // <=, >=
+    return (a < b) == (comparison[0] == '<');
 }
 
 Result<Amount> ofTwo(const std::string& function, const Amount& first, const Amount& second) {

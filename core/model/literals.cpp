@@ -54,6 +54,7 @@ std::string baseUnit(std::string_view dimension) {
 
 std::string plainUnit(std::string_view dimension) {
     if (dimension == "angle") return "deg";
+    if (dimension == "charge") return "Ah"; // as Capacity is
     for (const std::string& name : allUnitNames()) {
         const UnitInfo* unit = findUnit(name);
         if (unit->dimension == dimension && unit->factor == 1) return name;

@@ -276,15 +276,21 @@ void Evaluator::unknown(std::string_view name, SourceRange place, ParamScope& sc
 void Evaluator::circle(const ParamScope::Entry& entry) {
     std::string chain;
     bool inside = false;
+    const ParamScope::Entry* closing = nullptr; // the value from outside, without which there were no circle
     for (ParamScope::Entry* e : m_chain) {
         inside = inside || e == &entry;
-        if (inside) {
-            chain += e->param.name->text + " > ";
-            e->state = ParamScope::State::Failed;
-        }
+        if (!inside) continue;
+        chain += e->param.name->text + " > ";
+        e->state = ParamScope::State::Failed;
+        if (e->isFromOutside() && e->param.value) closing = e;
     }
-    m_diagnostics.error(Code::ParamCycle, entry.param.nameRange(),
-                        "Params need each other in a circle: " + chain + entry.param.name->text);
+    const std::string message = "Params need each other in a circle: " + chain + entry.param.name->text;
+    if (!closing) {
+        m_diagnostics.error(Code::ParamCycle, entry.param.nameRange(), message);
+        return;
+    }
+    Diagnostic& d = m_diagnostics.error(Code::ParamCycle, {closing->param.valueFile, closing->param.value->range}, message);
+    d.notes.emplace_back("the Param is declared here", closing->param.nameRange());
 }
 
 std::optional<Amount> Evaluator::fault(const Expression& e, FileId file, std::string message) {

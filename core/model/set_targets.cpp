@@ -35,10 +35,7 @@ private:
         const Part* at = m_outline.world.find(words[0]);
         for (std::size_t i = 0; at && i < start.words; at = ++i < start.words ? at->find(words[i]) : nullptr)
             if (isOneMember(*at, i)) return;
-        if (start.words >= path.size())
-            return (void)m_diagnostics.error(Code::NoSuchPath, {m_set->file, path.back().range},
-                                             start.part->title() + " takes no value itself; set one of its properties, " +
-                                                 path.back().text + ". ...");
+        if (start.words >= path.size()) return takesNoValue(*start.part, path.back());
         descend(*start.part, start.words);
     }
 
@@ -58,7 +55,14 @@ private:
         for (const SourceParam& p : m_outline.params) {
             if (p.name->text == key && !(settings && settings->find(key))) return setParam(p, nullptr, key);
         }
+        if (const Part* part = settings && settings->find(key) ? nullptr : m_outline.world.find(key))
+            return takesNoValue(*part, m_set->item->path[0]);
         put(m_outline.settings, nullptr, 0);
+    }
+
+    void takesNoValue(const Part& part, const Name& name) {
+        m_diagnostics.error(Code::NoSuchPath, {m_set->file, name.range},
+                            part.title() + " takes no value itself; set one of its properties, " + name.text + ". ...");
     }
 
     /// Follows the words of the path from `i` on, starting at `part`.

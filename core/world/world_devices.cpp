@@ -26,6 +26,7 @@ struct GivenField {
 
 namespace {
 
+constexpr std::size_t kMaxNotes = 4;
 constexpr std::size_t kMaxNames = 200;            // bytes of the devices that a message names
 constexpr std::uint64_t kMaxNumbers = 20'000'000; // in the signals of all devices: 160 MB
 
@@ -42,6 +43,16 @@ std::vector<GivenField> givenFields(const WorldDevice& device) {
         g.count = static_cast<std::uint32_t>(numeric ? given->value.numbers.size() : g.texts.size());
     }
     return fields;
+}
+
+/// Where values of the device are given that its block has not: one of them may be the reason.
+void noteOverrides(const ComponentSpec& spec, Diagnostic& d) {
+    for (const auto& [name, given] : spec.values) {
+        const bool isOutside =
+            given.origin == Origin::Instance || given.origin == Origin::CommandLine || given.range.file != spec.nameRange.file;
+        if (given.range.known() && isOutside && d.notes.size() < kMaxNotes)
+            d.notes.emplace_back(name + " is given here", given.range);
+    }
 }
 
 /// By element: the lists that it is in.
@@ -170,8 +181,9 @@ void WorldDevices::setup(const DeviceHost& host, Diagnostics& diagnostics) {
         const MonitoredCall call(m_calls, device->target, "setup");
         const std::int32_t answer = device->kind->setupDevice(device->instance, &device->mount);
         if (answer != 0 && device->failure.empty()) device->note(device->lastError());
-        if (!device->failure.empty())
-            diagnostics.error(Code::DeviceSetup, device->spec->nameRange, device->path + ": " + device->failure);
+        if (device->failure.empty()) continue;
+        Diagnostic& d = diagnostics.error(Code::DeviceSetup, device->spec->nameRange, device->path + ": " + device->failure);
+        noteOverrides(*device->spec, d);
     }
 }
 

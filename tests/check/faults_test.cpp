@@ -119,6 +119,11 @@ private Q_SLOTS:
             "strut0 of B has a spring and carries a wheel, but slides along the ground", "strut0");
         row("on its side", kBase + "}\nRobot r { Config=B Pos=0,0,0.2 HPR=0,0,90 }\n", Code::WheelOffGround,
             "r lies on its side: the axles of its wheels are upright; check its HPR", "r");
+        row("with its ball on a pole",
+            kBase + "}\nStaticConfig Pole { Box b { Size=0.06,0.06,0.5 Pos=-0.1,0,0.25 } }\nStatic pole { Config=Pole }\n"
+                    "Robot r { Config=B Pos=0,0,0.5 }\n",
+            Code::WheelOffGround,
+            "r is placed over an edge: the ground below left is 500 mm lower than elsewhere below it; check its Pos", "r");
         row("upside down", kBase + "}\nRobot r { Config=B Pos=0,0,0.111 HPR=0,0,180 }\n", Code::WheelOffGround,
             "r is upside down: its wheels are above; check its HPR", "r");
         row("Parent and Child swapped",

@@ -285,6 +285,10 @@ private Q_SLOTS:
         row("PartConfigs in a circle", "PartConfig A { Part n { Config=B } }\nPartConfig B { Part n { Config=A } }\n",
             "E302 PartConfigs contain each other in a circle: A > B > A | A");
 
+        row("Params in a circle by a value of a variant",
+            "RobotConfig B { Param w = 1  Body c { Box b { Size=$w,1,1 Mass=1 Material=g Surface=s } } }\n"
+            "RobotConfig n { Config=B w=$(w + 1) }\nRobot r { Config=n }\n",
+            "E212 Params need each other in a circle: w > w | $(w + 1) | the Param is declared here: w");
         row("an element", "Region n { Size=1,1,0 }\n", "E203 the 3rd element of Size is 0, it must be above 0 | 0");
         row("a count", post + "Grid n { Config=P Count=2,zero Spacing=1 }\n",
             "E202 the 2nd element of Count is a word (zero), it must be a whole number | zero");

@@ -129,6 +129,10 @@ private Q_SLOTS:
                                  << "--set#1:1:9: error E314: there is no Surface ruber; there is rubber\n";
         QTest::newRow("member") << "swarm_1.leftMotor.Resistance=3"
                                 << "--set#1:1:1: error E323: swarm_1 is a member of Grid swarm and has no text of its own\n";
+        QTest::newRow("robot without a property")
+            << "robot0=3"
+            << "--set#1:1:1: error E314: Robot robot0 takes no value itself; set one of its "
+               "properties, robot0. ...\n";
         QTest::newRow("no value") << "Tick"
                                   << "";
         QTest::newRow("nothing") << ""
@@ -147,6 +151,18 @@ private Q_SLOTS:
         const std::string all = sample::rendered(*loaded);
         QVERIFY2(all.starts_with(said.toStdString()), all.c_str());
         QVERIFY(all.starts_with("--set#1:1:"));
+    }
+
+    /// What the parser could not read leads nowhere, so that there is nothing more to say.
+    void aFaultOfSyntaxIsTheOnlyOne() {
+        for (const char* set : {"Param.a=4", "swarm*.Pos=1,1,1", "\"robot0\".Pos=1,1,1", "robot0.chassis..hull.Mass=3"}) {
+            ProjectFixture fixture;
+            fixture.options.sets = {set};
+            const auto loaded =
+                fixture.open(scene("Robot robot0 { Config=Rover }\nGrid swarm { Config=Rover Count=2 Spacing=2 }\n"));
+            QCOMPARE(loaded->diagnostics.errorCount(), std::size_t{1});
+            QVERIFY(sample::rendered(*loaded).starts_with("--set#1:1:"));
+        }
     }
 
     /// The fix for a path to a grid member replaces the grid by single instances; the world stays the same.

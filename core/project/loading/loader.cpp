@@ -158,7 +158,7 @@ const AssignmentItem* assignmentOf(const Tree& tree, Diagnostics& diagnostics) {
     if (!item && !broken)
         diagnostics.error(Code::UnexpectedText, {tree.file(), {0, static_cast<std::uint32_t>(tree.source().bytes().size())}},
                           "--set takes PATH=VALUE, as in robot0.leftMotor.Resistance=3");
-    return item;
+    return broken ? nullptr : item;
 }
 
 } // namespace trundle
