@@ -11,6 +11,7 @@ namespace trundle {
 namespace {
 
 constexpr int kMaxDecimals = 3;
+constexpr double kLeast = 5e-4; // a smaller one has no digit anyway
 constexpr double kSmall = 0.1; // smaller values are shown with the prefix milli
 
 /// Units that take a prefix. Lengths and speeds are always in metres, as in the language.
@@ -54,8 +55,13 @@ void NumberScale::choose() {
 std::string NumberScale::text(double value) const {
     if (std::isnan(value)) return "not a number";
     if (std::isinf(value)) return value > 0 ? "infinite" : "-infinite";
+    // One value far above the others would leave nothing of them.
+    const double shown = std::abs(value * m_factor);
+    int decimals = m_decimals;
+    if (m_kind == Kind::Real && shown >= kLeast && shown * std::pow(10, decimals) < 0.5)
+        while (decimals < kMaxDecimals && shown * std::pow(10, decimals) < 10) ++decimals;
     char digits[400];
-    std::snprintf(digits, sizeof digits, "%.*f", m_decimals, value * m_factor);
+    std::snprintf(digits, sizeof digits, "%.*f", decimals, value * m_factor);
     const std::string_view written(digits);
     // "-0.00" is shown without the sign.
     if (written.front() == '-' && written.find_first_not_of("-0.") == std::string_view::npos)

@@ -46,7 +46,11 @@ std::string EditedModel::modelOf(const std::string& path) const {
 }
 
 std::string EditedModel::insertionPlace(const Selection& selection) const {
-    const std::string selected = selection.current();
+    std::string selected = selection.current(); // which an undo may have removed
+    while (!selected.empty() && m_state.loaded && !placeOf(*m_state.loaded, selected)) {
+        const std::size_t dot = selected.rfind('.');
+        selected.erase(dot == std::string::npos ? 0 : dot);
+    }
     return m_path.empty() || startsWithPath(selected, m_path) ? selected : m_path;
 }
 

@@ -12,6 +12,7 @@ namespace trundle {
 namespace {
 
 constexpr double kGridStep = 0.05, kLevel = 1e-5; ///< m; a smaller vertical way is ignored
+constexpr double kWheelRoom = 0.06;               ///< m
 
 /// The inserted instances, layouts and Repeats, with the shapes of all of them.
 class Inserted {
@@ -28,6 +29,7 @@ public:
                                       b < e.robots[r].config->bodies.size();
                  ++b)
                 add(e.robots[r].config->bodies[b].geoms, m_objects.poseOf({ObjectKind::Body, r, b}, m_poses));
+        addWheelRoom(before);
         m_onlyStatics = m_geoms.empty();
         for (std::uint32_t s = 0; s < e.statics.size(); ++s)
             if (isNew({ObjectKind::Static, s}) && e.statics[s].geoms) add(*e.statics[s].geoms, e.statics[s].pose);
@@ -68,6 +70,20 @@ private:
     [[nodiscard]] bool isGround(const ObjectRef& object) const {
         const GeomSpec* geom = m_objects.geomOf(object);
         return geom && (geom->shape == GeomShape::Plane || geom->shape == GeomShape::Heightfield);
+    }
+    /// A robot that is built from here on is a hull above its floor: its wheels need the room between them and beside it.
+    void addWheelRoom(const LoadedProject& before) {
+        const Part* config = m_parts.size() == 1 ? configOf(m_now, *m_parts.front()) : nullptr;
+        const bool isBegun = config && !before.outline->configs.find(config->name) && m_geoms.size() == 1 &&
+                             m_geoms.front().geom.shape == GeomShape::Box;
+        if (!isBegun) return;
+        PlacementGeom room = m_geoms.front();
+        const Vec3 middle = room.body * room.geom.pose.position;
+        const double top = middle.z() + room.geom.size.z() / 2;
+        if (!(middle.z() - room.geom.size.z() / 2 > kLevel)) return;
+        room.geom.size = {room.geom.size.x() + 2 * kWheelRoom, room.geom.size.y() + 2 * kWheelRoom, top};
+        room.geom.pose.position.z() += top / 2 - middle.z();
+        m_geoms.push_back(room);
     }
     void add(const std::vector<GeomSpec>& geoms, Pose owner) {
         owner.position -= m_from;

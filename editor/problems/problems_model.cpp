@@ -149,9 +149,13 @@ void ProblemsModel::rebuild() {
     const auto refuses = [](const Diagnostic& d) { return d.severity == Severity::Error && d.code == Code::DeviceSetup; };
     // If a run was refused for an error that the model check also found in these texts, show only the latter, which has a
     // location and a fix.
-    const bool known = m_runTexts && m_runTexts == m_modelTexts && std::ranges::any_of(m_modelProblems, refuses);
+    const bool sameTexts = m_runTexts && m_runTexts == m_modelTexts,
+               known = sameTexts && std::ranges::any_of(m_modelProblems, refuses);
+    const auto isAmong = [](const std::vector<Diagnostic>& all, const Diagnostic& d) {
+        return std::ranges::any_of(all, [&](const Diagnostic& each) { return each.code == d.code && each.message == d.message; });
+    };
     for (const Diagnostic& d : m_run)
-        if (!known || !refuses(d)) take(d, Source::Run);
+        if (!(known && refuses(d)) && (isInCode(d) || !sameTexts || !isAmong(m_modelProblems, d))) take(d, Source::Run);
     for (const Diagnostic& d : m_build) take(d, Source::Build);
     const std::size_t ofRun = m_entries.size();
     if (m_loaded)
@@ -159,12 +163,10 @@ void ProblemsModel::rebuild() {
             if (!isInCode(d)) take(d, Source::Texts);
     if (m_inCode)
         for (const Diagnostic& d : m_inCode->problems) take(d, Source::Code);
-    const auto isOfRun = [this](const Diagnostic& d) { // with the place in the source of a module, which the check has not
-        return std::ranges::any_of(
-            m_run, [&](const Diagnostic& r) { return isInCode(r) && r.code == d.code && r.message == d.message; });
-    };
+    std::vector<Diagnostic> inCode; // of the run: with the place in the source of a module, which the check has not
+    std::ranges::copy_if(m_run, std::back_inserter(inCode), [](const Diagnostic& d) { return isInCode(d); });
     for (const Diagnostic& d : m_modelProblems)
-        if (!isOfRun(d)) take(d, Source::Model);
+        if (!isAmong(inCode, d)) take(d, Source::Model);
     std::stable_sort(m_entries.begin() + static_cast<std::ptrdiff_t>(ofRun), m_entries.end(),
                      [](const Entry& a, const Entry& b) { return before(a.diagnostic->range, b.diagnostic->range); });
     if (m_order == ProblemOrder::Severity)

@@ -310,6 +310,8 @@ void RunSession::endRun() {
     const bool neverBuilt = !m_active.layout;
     setState(RunState::Ended);
     if (failure) Q_EMIT ended(*failure);
+    if (neverBuilt && failure)
+        (void)m_messages->refuse(tr("The run cannot be built: %1").arg(QString::fromStdString(failure->message)));
     if (neverBuilt && state() == RunState::Ended) backToStart(); // there is no world to show; the errors stay until the next edit
 }
 

@@ -2,14 +2,17 @@
 
 #include <algorithm>
 
+#include <QDir>
 #include <QEvent>
 #include <QFile>
 #include <QImageReader>
+#include <QKeyEvent>
 #include <QScrollBar>
 #include <QTextBlock>
 #include <QTextDocument>
 #include <QTextTable>
 
+#include "editor/shell/guide_bar.h"
 #include "editor/widgets/resources.h"
 #include "editor/widgets/theme.h"
 
@@ -17,7 +20,9 @@ namespace trundle {
 
 static QString guideFolder() { return resourcePath(QStringLiteral("guide")); }
 
-HelpPanel::HelpPanel(QWidget* parent) : QTextBrowser(parent), m_index(guideFolder()) {
+HelpPanel::HelpPanel(QWidget* parent)
+    : QTextBrowser(parent), m_index(guideFolder()),
+      m_bar(new GuideBar(*this, {[this] { showKind(nullptr); }, [this](const QString& words) { return findNext(words); }})) {
     setObjectName(QStringLiteral("guide"));
     setOpenExternalLinks(true);
     document()->setDocumentMargin(14);
@@ -25,6 +30,7 @@ HelpPanel::HelpPanel(QWidget* parent) : QTextBrowser(parent), m_index(guideFolde
     QScrollBar* bar = verticalScrollBar();
     bar->setEnabled(false); // disabled while there is nothing to scroll
     connect(bar, &QScrollBar::rangeChanged, bar, [bar](int least, int most) { bar->setEnabled(most > least); });
+    placeBar();
     connect(this, &QTextBrowser::sourceChanged, this, &HelpPanel::onSourceChanged);
     showKind(nullptr);
 }
@@ -137,7 +143,40 @@ void HelpPanel::fitPictures() {
 
 void HelpPanel::resizeEvent(QResizeEvent* event) {
     QTextBrowser::resizeEvent(event);
+    placeBar();
     fitPictures();
+}
+
+void HelpPanel::placeBar() {
+    const int height = m_bar->sizeHint().height();
+    if (viewportMargins().top() != height) setViewportMargins(0, height, 0, 0);
+    m_bar->setGeometry(0, 0, viewport()->width(), height);
+}
+
+/// The Find of a page is that of the guide.
+bool HelpPanel::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->matches(QKeySequence::Find)) {
+        m_bar->focusSearch();
+        event->accept();
+        return true;
+    }
+    return QTextBrowser::event(event);
+}
+
+bool HelpPanel::findNext(const QString& words) {
+    if (find(words)) return true;
+    const QDir folder(guideFolder());
+    const QStringList pages = folder.entryList({QStringLiteral("*.md")}, QDir::Files, QDir::Name);
+    const qsizetype here = pages.indexOf(source().fileName());
+    for (qsizetype i = 1; i <= pages.size(); ++i) {
+        const QString& page = pages[(std::max<qsizetype>(here, 0) + i) % pages.size()];
+        QFile file(folder.filePath(page));
+        if (!file.open(QIODevice::ReadOnly) || !QString::fromUtf8(file.readAll()).contains(words, Qt::CaseInsensitive)) continue;
+        showPlace(page);
+        moveCursor(QTextCursor::Start);
+        if (find(words)) return true;
+    }
+    return false;
 }
 
 QVariant HelpPanel::loadResource(int type, const QUrl& name) {

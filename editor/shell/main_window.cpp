@@ -53,6 +53,7 @@
 #include "editor/viewport/context/viewport_scene.h"
 #include "editor/viewport/view/viewport_panel.h"
 #include "editor/widgets/theme.h"
+#include "editor/widgets/undo_keys.h"
 #include "project/objects/object_location.h"
 
 namespace trundle {
@@ -261,6 +262,7 @@ void MainWindow::connectPanels() {
         m_viewport->views().lookThrough(path);
     });
     m_text->installEventFilter(this);
+    qApp->installEventFilter(new UndoKeys(this));
     new FileDrop(*this, [this](const QString& path) { m_files->open(path); });
 }
 

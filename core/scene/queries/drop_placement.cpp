@@ -20,6 +20,7 @@ namespace {
 constexpr double kTipMargin = 0.01; // m; the centre of a supported object is at least this far inside the edge
 constexpr double kSteep = 0.5;      // z of a unit normal; objects do not rest on steeper faces
 constexpr double kDepth = 2e-6;     // m; smaller penetration is ignored
+constexpr double kBase = 0.4;       // of the size of what stands on something: as far from its middle it has support
 constexpr double kGap = 2e-6;       // m, between touching objects; above the rounding of numbers in the text
 constexpr double kRound = 1e-3;     // m; Pos is a multiple of it where that is possible
 constexpr int kSteps = 40, kWays = 16;
@@ -127,6 +128,19 @@ bool DropPlacement::isSupported(const MovedPieces& thing) const {
         return b.low.z() - solid->point.z() < kSupportTolerance + slope * reach;
     };
     return supportedAt(margin, 0) && supportedAt(-margin, 0) && supportedAt(0, margin) && supportedAt(0, -margin);
+}
+
+/// False on the edge of a wall and on a small thing: most of the base would be in the air.
+bool DropPlacement::isWideEnough(const MovedPieces& thing, const RayHit& floor) const {
+    const GeomShape shape = m_objects.geomOf(floor.geom)->shape;
+    if (shape == GeomShape::Plane || shape == GeomShape::Heightfield || shape == GeomShape::Mesh) return true; // may be uneven
+    const Vec3 half = kBase * thing.bounds.size(), middle = thing.bounds.centre();
+    for (const double x : {-half.x(), half.x()})
+        for (const double y : {-half.y(), half.y()}) {
+            const auto solid = solidBelow({middle.x() + x, middle.y() + y, thing.bounds.high.z()});
+            if (!solid || thing.bounds.low.z() - solid->point.z() > kSupportTolerance) return false;
+        }
+    return true;
 }
 
 void DropPlacement::pushOut(MovedPieces& thing, const ObjectRef& from, const Vec3& direction) const {
@@ -283,7 +297,7 @@ std::optional<Vec3> DropPlacement::standingAt(const MovedPieces& thing, const Ve
         MovedPieces raised = moved;
         raised.move({0, 0, floor.point.z()});
         pushOut(raised, floor.geom, Vec3::UnitZ());
-        if (obstaclesOf(raised, nullptr).empty() && isSupported(raised)) return raised.pos;
+        if (obstaclesOf(raised, nullptr).empty() && isSupported(raised) && isWideEnough(raised, floor)) return raised.pos;
     }
     return std::nullopt;
 }

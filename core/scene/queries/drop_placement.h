@@ -55,6 +55,7 @@ private:
     void settle(MovedPieces& thing, const ObjectRef* ground, bool staysLevel = false) const;
     [[nodiscard]] std::optional<RayHit> solidBelow(const Vec3& point) const;
     [[nodiscard]] bool isSupported(const MovedPieces& thing) const;
+    [[nodiscard]] bool isWideEnough(const MovedPieces& thing, const RayHit& floor) const;
 
     const ObjectIndex& m_objects;
     const BodyPoses& m_poses;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <QKeyEvent>
+#include <QToolTip>
 
 #include "editor/document/document.h"
 #include "editor/text/code/code_edit.h"
@@ -70,6 +71,7 @@ void CompletionSession::close() {
 
 void CompletionSession::onEdited(FilePage&, std::string_view inserted) {
     if (m_accepting) return;
+    QToolTip::hideText(); // "No completions here"
     m_insertedSuffix.clear();
     if (callsForList(inserted)) m_wanted = true;
     else if (!(inserted.size() == 1 && isIdent(inserted[0])) && !(isShown() && inserted.empty())) close();
@@ -92,6 +94,7 @@ void CompletionSession::list(FilePage& page, bool asked, bool fresh) {
     m_page = &page;
     m_asked = asked;
     show(page);
+    if (asked && isShown()) QToolTip::hideText();
     if (asked && !isShown())
         showToolTip(page.edit().viewport()->mapToGlobal(page.edit().geometry().placeOf(caret)), tr("No completions here"),
                     &page.edit());

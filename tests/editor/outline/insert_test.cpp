@@ -56,6 +56,8 @@ private Q_SLOTS:
     void newShapesStandFree_data();
     void newShapesStandFree();
     void theFloorIsInTheWayOfRobotsOnly();
+    void robotsStandBesideThinThings();
+    void aHullHasRoomForWheels();
     void newObjectsComeToTheInsertionPoint();
     void aRobotMayHaveSeveralControllers();
     void objectsAreMovable_data();
@@ -263,6 +265,45 @@ void InsertTest::theFloorIsInTheWayOfRobotsOnly() {
     QCOMPARE(raised[0].path.text(), std::string("ball.Pos"));
     QVERIFY2(raised[0].value.text().starts_with("0,0,0.2"), raised[0].value.text().c_str());
     QVERIFY(freePlaces(*before, *block, std::nullopt).empty());
+}
+
+/// On top of what is smaller than they are they would tip over; a table holds them.
+void InsertTest::robotsStandBesideThinThings() {
+    OutlineFixture o;
+    const auto load = [&](const char* name, const QByteArray& text) {
+        return o.write(name, text) ? o.application->open(o.folder.filePath(QLatin1String(name)).toStdString(), {}).value()
+                                   : nullptr;
+    };
+    const QByteArray floor = "StaticConfig Floor { Plane floor { } }\nStatic arena { Config=Floor }\n"
+                             "RobotConfig Block { Body b { Box s { Size=0.3,0.2,0.1 Pos=0,0,0.05 Mass=1 } } }\n";
+    for (const auto& [size, isOnTop] :
+         {std::pair("0.1,2,0.5", false), {"2,0.1,0.5", false}, {"0.15,0.1,0.5", false}, {"1,1,0.5", true}}) {
+        const QByteArray all =
+            floor + "StaticConfig Thing { Box b { Size=" + size + " Pos=0,0,0.25 } }\nStatic thing { Config=Thing }\n";
+        const auto before = load("before.sim", all), now = load("now.sim", all + "Robot r { Config=Block }\n");
+        const std::vector<ValueEdit> edits = freePlaces(*before, *now, Vec3(0.02, -0.01, 0));
+        QCOMPARE(edits.size(), std::size_t(1));
+        QVERIFY2(edits[0].value.text().ends_with(",0.5") == isOnTop && edits[0].value.text().ends_with(",0") != isOnTop,
+                 edits[0].value.text().c_str());
+    }
+}
+
+/// A robot that is begun with its hull stays above the floor of its model, and keeps away from what wheels would touch.
+void InsertTest::aHullHasRoomForWheels() {
+    OutlineFixture o;
+    const auto load = [&](const char* name, const QByteArray& text) {
+        return o.write(name, text) ? o.application->open(o.folder.filePath(QLatin1String(name)).toStdString(), {}).value()
+                                   : nullptr;
+    };
+    const QByteArray world = "StaticConfig Floor { Plane floor { } Box wall { Size=2,0.1,0.5 Pos=0,0.2,0.25 } }\n"
+                             "Static arena { Config=Floor }\n",
+                     model = "RobotConfig Mine { Body b { Box s { Size=0.3,0.2,0.1 Pos=0,0,0.09 Mass=1 } } }\n",
+                     robot = "Robot r { Config=Mine }\n";
+    const auto edits = freePlaces(*load("before.sim", world), *load("now.sim", world + model + robot), std::nullopt);
+    QCOMPARE(edits.size(), std::size_t(1)); // the hull alone is free where it is, 50 mm beside the wall
+    QVERIFY2(edits[0].value.text().ends_with(",0"), edits[0].value.text().c_str());
+    const auto known = freePlaces(*load("before.sim", world + model), *load("now.sim", world + model + robot), std::nullopt);
+    QVERIFY(known.empty()); // one that was there before
 }
 
 /// The middle of the 3D view, in the window. What is pasted keeps the position that is written.

@@ -137,6 +137,9 @@ void LibraryTest::robotsAndArenasGoIn() {
     s.document.edits().undo();
     s.document.edits().undo();
     QCOMPARE(s.text(), QByteArray("Tick = 0.01\n"));
+    s.library.insert(item); // what is selected is gone
+    QCOMPARE(s.refusals, QStringList());
+    QVERIFY(s.text() != QByteArray("Tick = 0.01\n"));
 }
 
 void LibraryTest::partsGoIntoTheSelectedRobot_data() {

@@ -32,6 +32,17 @@ private Q_SLOTS:
     void init() { QSettings().clear(); }
     void cleanup() { QSettings().clear(); }
 
+    /// The model check finds it, not the reading of the text.
+    void aRunThatCannotBeBuiltSaysSo() {
+        SessionFixture o;
+        QVERIFY(o.open(QByteArray(kStandingRobot) + "SignalLog log { Signals=robot0/ba }\n"));
+        QSignalSpy refused(&o.session.messages(), &RunMessages::refused);
+        o.session.run();
+        EVENTUALLY_EQUAL(refused.size(), 1);
+        QVERIFY2(refused[0][0].toString().contains(QStringLiteral("robot0/ba")), qPrintable(refused[0][0].toString()));
+        EVENTUALLY_EQUAL(o.session.state(), RunState::Start);
+    }
+
     void speeds() {
         const std::pair<double, int> nearest[] = {{0, 7},    {-1, 7},   {1e-9, 0}, {0.1, 0}, {0.157, 0}, {0.16, 1},
                                                   {0.25, 1}, {0.36, 2}, {0.71, 3}, {1, 3},   {1.41, 3},  {1.42, 4},

@@ -71,6 +71,41 @@ private Q_SLOTS:
         QCOMPARE(panel.source().fragment(), QStringLiteral("controllers"));
     }
 
+    /// However the dock is resized before it is seen.
+    void aPageBeginsAtItsTitle() {
+        HelpPanel panel;
+        panel.resize(200, 100);
+        panel.show();
+        QCoreApplication::processEvents();
+        panel.resize(340, 600);
+        QCoreApplication::processEvents();
+        QCOMPARE(panel.verticalScrollBar()->value(), 0);
+        QVERIFY(panel.verticalScrollBar()->maximum() > 0);
+    }
+
+    /// In the page that is shown, then in those after it.
+    void searchesAllPages() {
+        HelpPanel panel;
+        panel.show();
+        QCOMPARE(panel.source().fileName(), QStringLiteral("index.md"));
+        QStringList found;
+        for (int i = 0; i < 60 && panel.findNext(QStringLiteral("skidfactor")); ++i) {
+            QCOMPARE(panel.textCursor().selectedText().toLower(), QStringLiteral("skidfactor"));
+            if (!found.contains(panel.source().fileName())) found += panel.source().fileName();
+        }
+        QStringList with;
+        for (const QString& page : pages()) {
+            QFile file(m_folder.filePath(page));
+            if (file.open(QIODevice::ReadOnly) && file.readAll().toLower().contains("skidfactor")) with += page;
+        }
+        found.sort(), with.sort();
+        QVERIFY(with.size() > 1);
+        QCOMPARE(found, with);
+        const QUrl last = panel.source();
+        QVERIFY(!panel.findNext(QStringLiteral("no page has these words")));
+        QCOMPARE(panel.source(), last);
+    }
+
     void tablesHaveNoEmptyHeads() {
         HelpPanel panel;
         int tables = 0;
