@@ -9,6 +9,9 @@ namespace {
 
 double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
 
+/// As DriveProfile refuses an amount; a command of no number, too.
+bool isRefused(double velocity, double amount) { return amount != 0 && !(velocity * amount > 0 && std::isfinite(amount)); }
+
 } // namespace
 
 DriveStatistics::DriveStatistics(const World& world) {
@@ -47,6 +50,8 @@ DriveStatistics::DriveStatistics(const World& world) {
 void DriveStatistics::addCommand(Drive& drive, std::span<const double> slots) {
     const double speed = slots[drive.commands[0]], rate = slots[drive.commands[1]];
     double distance = slots[drive.commands[2]], angle = slots[drive.commands[3]];
+    drive.lastSequence = slots[drive.sequence];
+    if (isRefused(speed, distance) || isRefused(rate, angle)) return;
     if (angle == 0 && speed != 0) angle = rate * std::fabs(distance / speed);
     else if (distance == 0 && rate != 0) distance = speed * std::fabs(angle / rate);
     drive.totals.commandedDistance += distance;
@@ -56,7 +61,6 @@ void DriveStatistics::addCommand(Drive& drive, std::span<const double> slots) {
     drive.drivenBefore = drive.totals.drivenDistance;
     drive.turnedBefore = drive.totals.drivenAngle;
     drive.running = true; // a replaced command has not ended
-    drive.lastSequence = slots[drive.sequence];
     drive.commanded = true;
 }
 

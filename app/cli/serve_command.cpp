@@ -125,6 +125,7 @@ RunOptions ServeCommand::runOptions() {
     RunOptions options;
     if (!m_arguments.logDir.empty()) options.logFolder = LogLocation(std::filesystem::absolute(m_arguments.logDir).string());
     options.calls = m_calls;
+    options.keepsCommands = false; // nothing asks for them, and a run may last for days
     options.console = [this](double time, const std::string& who, int severity, const std::string& text) {
         printLine(time, who, severity, text);
     };

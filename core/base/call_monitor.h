@@ -2,6 +2,7 @@
 // Records which module code a run is executing, so that another thread or a crash handler can report it when the run itself
 // cannot.
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdint>
@@ -24,12 +25,15 @@ struct CallTarget {
     std::string kind;   ///< "LinearMotion"; empty: none
     std::string module; ///< path of its library; empty: built in or unknown
     std::uint32_t controllerOf = kNoRobot; ///< a controller: index of its robot in the experiment
+
+    bool operator==(const CallTarget&) const = default;
 };
 
 /// Written by the threads of one run; read by any thread and by signal handlers at any time. Reads take no locks, and targets live
 /// as long as the monitor.
 class CallMonitor {
 public:
+    static constexpr std::size_t kSkipped = 64; ///< targets of the last run that the present one has not, in a row
     static constexpr unsigned kThreads = 64; ///< whose calls are recorded apart; further ones share the place of the first ones
 
     CallMonitor() = default;
@@ -41,12 +45,21 @@ public:
     void setModule(const std::string& kind, const std::string& library) { m_modules[kind] = library; }
     const CallTarget* add(CallTarget target) {
         if (const auto module = m_modules.find(target.kind); module != m_modules.end()) target.module = module->second;
+        for (std::size_t i = m_next; i < std::min(m_next + kSkipped, m_earlier); ++i)
+            if (m_targets[i] == target) {
+                m_next = i + 1;
+                return &m_targets[i];
+            }
         m_targets.push_back(std::move(target));
         return &m_targets.back();
     }
+    /// Another run begins, most of whose targets will be those of the last one, in the same order.
+    void beginRun() noexcept { m_next = 0, m_earlier = m_targets.size(); }
     /// Records the machine code [begin, end) of a library. The entry is kept after the library is unloaded.
     void addCode(std::uintptr_t begin, std::uintptr_t end, const CallTarget* library) {
         const std::uint32_t count = m_codeCount.load(std::memory_order_relaxed);
+        for (std::uint32_t i = 0; i < count; ++i) // of an earlier run
+            if (m_code[i].begin == begin && m_code[i].end == end && *m_code[i].library == *library) return;
         if (count == m_code.size()) return;
         m_code[count] = {begin, end, library};
         m_codeCount.store(count + 1, std::memory_order_release);
@@ -129,7 +142,8 @@ private:
 
     std::array<Code, 256> m_code; ///< never moves: signal handlers read it
     std::atomic<std::uint32_t> m_codeCount{0};
-    std::deque<CallTarget> m_targets; ///< a deque, because targets must not move
+    std::deque<CallTarget> m_targets;      ///< a deque, because targets must not move
+    std::size_t m_next = 0, m_earlier = 0; ///< where that of earlier runs is which may be added next; their number
     std::map<std::string, std::string> m_modules;
     std::vector<std::string> m_bodies;
     std::array<Lane, kThreads> m_lanes;

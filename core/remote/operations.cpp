@@ -42,6 +42,7 @@ Json stateOf(ServedRun& run) {
     state["time"] = run.exists() ? timeOf(run) : 0.0;
     state["state"] = run.state() == ServedState::Running ? "running" : run.state() == ServedState::Paused ? "paused" : "ended";
     if (run.state() == ServedState::Ended) state["reason"] = run.endReason();
+    else if (run.isAtDuration()) state["reason"] = "the Duration of the text is reached";
     if (const Diagnostic* failure = run.failure()) state["diagnostics"] = problemsJson({*failure}, run.built().sources);
     return state;
 }

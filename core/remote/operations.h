@@ -14,6 +14,8 @@ namespace trundle {
 
 constexpr std::uint64_t kMostTicks = 1'000'000'000; ///< of one request
 
+inline constexpr const char* kResetFailed = "failed"; ///< error of a reset after which there is no run
+
 struct Reply {
     nlohmann::ordered_json members = nlohmann::ordered_json::object();
     std::string bytes;
@@ -35,7 +37,7 @@ struct RequestContext {
     [[nodiscard]] std::optional<Reply> mistake() const;
 };
 
-/// tick, time, state and, if the run is over, the reason.
+/// tick, time, state and, if the run is over or at its Duration, the reason.
 [[nodiscard]] nlohmann::ordered_json stateOf(ServedRun& run);
 /// Time in s, as logs give it.
 [[nodiscard]] double timeOf(ServedRun& run);

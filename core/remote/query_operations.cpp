@@ -1,6 +1,7 @@
 #include "remote/query_operations.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "base/spelling.h"
@@ -12,6 +13,8 @@ namespace trundle {
 using Json = nlohmann::ordered_json;
 
 namespace {
+
+constexpr double kWholeNumbers = 0x1p63; // the integers of JSON end below
 
 template <class T> std::string_view bytesOf(const std::vector<T>& values) {
     return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
@@ -150,7 +153,9 @@ Reply QueryOperations::unsubscribe() {
 Json QueryOperations::numbersOf(const SignalEntry& entry) {
     const std::span<const double> slots = std::as_const(m_run.world()).block().slots().subspan(entry.offset, entry.count);
     const auto valueOf = [&](double value) {
-        return entry.type == SignalType::Boolean ? Json(value != 0) : entry.type == SignalType::Integer ? Json(static_cast<std::int64_t>(value)) : Json(value);
+        if (entry.type == SignalType::Boolean) return Json(value != 0);
+        const bool isWhole = entry.type == SignalType::Integer && std::abs(value) < kWholeNumbers;
+        return isWhole ? Json(static_cast<std::int64_t>(value)) : Json(value);
     };
     if (entry.count == 1) return valueOf(slots[0]);
     Json all = Json::array();

@@ -117,7 +117,8 @@ Reply RunOperations::reset() {
     if (auto wrong = m_request.mistake()) return *wrong;
     if (m_run.isPacedElsewhere()) return Reply::failed("refused", "the run is one of a window, which resets it");
     const bool built = m_run.reset(seed);
-    Reply reply = built ? Reply{statusOf(m_run), {}, {}, {}, false} : Reply::failed("failed", "the experiment could not be built");
+    Reply reply =
+        built ? Reply{statusOf(m_run), {}, {}, {}, false} : Reply::failed(kResetFailed, "the experiment could not be built");
     reply.members["diagnostics"] = problemsJson(m_run.built().problems, m_run.built().sources);
     return reply;
 }

@@ -192,7 +192,7 @@ void RemoteServer::answer(RemoteClient& client, const Frame& frame) {
     Reply reply;
     if (operation == "hello" || !client.isAuthorized()) reply = hello(client, arguments);
     else reply = trundle::answer(operation, {m_run, client, arguments, frame.bytes});
-    if (operation == "reset") bindAgain();
+    if (operation == "reset" && (reply.error.empty() || reply.error == kResetFailed)) bindAgain(); // else the run is as it was
     if (reply.later) client.step->id = id;
     else client.send(messageOf(id, reply), reply.bytes);
 }
@@ -317,7 +317,6 @@ void RemoteServer::announce() {
     if (state == std::exchange(m_announced, state)) return;
     Json event{{"event", "state"}};
     event.update(stateOf(m_run));
-    if (m_run.isAtDuration()) event["reason"] = "the Duration of the text is reached";
     for (const auto& connection : m_connections)
         if (connection->client.isAuthorized()) (void)connection->client.sendEvent(event);
 }

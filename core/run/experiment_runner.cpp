@@ -154,6 +154,9 @@ void ExperimentRunner::applyCommands() {
     for (; m_applied < m_commands.size(); ++m_applied)
         if (const Status done = apply(m_commands[m_applied]); !done)
             addMessage("", TRUNDLE_ERROR, "command refused: " + done.error().message);
+    if (m_options.keepsCommands) return;
+    m_commands.clear();
+    m_applied = 0;
 }
 
 Status ExperimentRunner::writeLogs() {
@@ -243,6 +246,7 @@ std::unique_ptr<Runner> Runner::create(std::shared_ptr<const ExperimentSpec> exp
     checkLogs(*experiment, diagnostics);
     if (diagnostics.errorCount() > errorsBefore) return nullptr;
     if (!options.calls) options.calls = std::make_shared<CallMonitor>();
+    options.calls->beginRun();
     std::unique_ptr<World> world = World::build(std::move(experiment), devices, diagnostics, options.calls);
     if (!world || diagnostics.errorCount() > errorsBefore) return nullptr;
     if (options.replaceWorld) world = options.replaceWorld(std::move(world), diagnostics);

@@ -34,6 +34,7 @@ struct RunOptions {
     ImageSourceFactory pictures;        ///< none: cameras give no images
     std::shared_ptr<CallMonitor> calls; ///< for monitoring from other threads; created by the run if null
     bool measuresControllers = false;   ///< see Runner::controllerCosts()
+    bool keepsCommands = true;          ///< see Runner::commands(); else each is dropped when it has been applied
     /// Puts another world in place of the one that was built; null, with an error in the diagnostics: there is no run.
     std::function<std::unique_ptr<World>(std::unique_ptr<World> built, Diagnostics& diagnostics)> replaceWorld;
     /// Puts other radios, or names of objects, in place of those of the world, for each controller.

@@ -23,7 +23,9 @@ struct JointCalls {
             return call.device->note("driveJoint was asked for something that is not there");
         const bool finite = std::isfinite(d->rate) && isFriction(d->softness) && d->limit >= 0 && isFriction(d->damping) &&
                             isFriction(d->dryFriction) && isFriction(d->viscousFriction);
-        if (!finite) return call.device->note("driveJoint was asked for a value that is not finite");
+        if (!finite)
+            return call.device->note(
+                "driveJoint was asked for a value that is not finite, or for a softness, limit, damping or friction below 0");
         call.host->engine.setMotor({joint}, {d->rate, d->softness, d->limit, d->damping, d->dryFriction, d->viscousFriction});
     }
     static double frictionEffort(void* context, std::uint32_t joint) {

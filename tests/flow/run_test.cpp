@@ -21,6 +21,7 @@ class RunFlowTest : public QObject {
 private Q_SLOTS:
     void summaryShowsFinalPoseAndDriveError();
     void summaryShowsTurns();
+    void summaryLeavesOutRefusedAmounts();
     void jsonIsOneObjectOfTheKnownShape();
     void theSameInputGivesTheSameBits();
     void logsChangeNothing();
@@ -77,6 +78,26 @@ void RunFlowTest::summaryShowsTurns() {
     QVERIFY2(qAbs(drove.captured(1).toDouble() - 1.88496) < 1e-3, shown(whole));
     const Outcome part = cli(arc + QStringList{"--duration", "2"});
     QVERIFY2(part.out.contains("the last command was still under way"), shown(part));
+}
+
+/// Those are refused in the run, with a warning each.
+void RunFlowTest::summaryLeavesOutRefusedAmounts() {
+    QVERIFY(writeFile(m_folder.filePath("refused.py"), "import math, trundle\nclass Refused(trundle.Controller):\n"
+                                                       "    def setup(self, robot):\n"
+                                                       "        self.base, self.n = robot.differential_drive('base'), 0\n"
+                                                       "    def update(self, dt):\n        self.n += 1\n"
+                                                       "        if self.n == 1: self.base.drive(0.2, 0, 0.1, 0)\n"
+                                                       "        if self.n == 200: self.base.drive(math.nan, 0, 1, 0)\n"
+                                                       "        if self.n == 210: self.base.drive(0.2, 0, math.inf, 0)\n"
+                                                       "        if self.n == 220: self.base.drive(-0.2, 0, 1, 0)\n"
+                                                       "        if self.n == 230: self.base.turn(0, 1)\n"));
+    QVERIFY(writeFile(m_folder.filePath("refused.sim"),
+                      "Tick = 0.01 Duration = 3\n#import arenas/open_floor.sim\n#import robots/simple_robot.sim\n"
+                      "#loadModule refused.py\nStatic floor { Config=OpenFloor }\n"
+                      "Robot r { Config=SimpleRobot Refused mind { } }\n"));
+    const Outcome run = cli({"run", m_folder.filePath("refused.sim"), "--modules", m_folder.path()});
+    QVERIFY2(run.code == 0 && run.out.contains(" m of 0.1 m commanded") && !run.out.contains("nan"), shown(run));
+    QVERIFY2(!run.out.contains("turned") && !run.out.contains("under way"), shown(run));
 }
 
 void RunFlowTest::jsonIsOneObjectOfTheKnownShape() {

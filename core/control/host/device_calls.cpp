@@ -1,6 +1,7 @@
 #include "control/host/device_calls.h"
 
 #include <array>
+#include <cmath>
 
 namespace trundle {
 namespace {
@@ -87,7 +88,8 @@ std::string DeviceCalls::addInertia(Call call, WireReader& in) {
     const auto inertia = in.number<double>();
     const bool added = call == Call::AddRotor ? m_mount->addRotor(m_mount->context, joint, inertia, in.number<double>()) == 0
                                               : m_mount->addAxialInertia(m_mount->context, joint, inertia) == 0;
-    return added ? accepted().take() : refused("the joint takes no inertia");
+    if (added) return accepted().take();
+    return refused(std::isfinite(inertia) && inertia >= 0 ? "the joint takes no inertia" : "an inertia is a number from 0 on");
 }
 
 std::string DeviceCalls::addFrame(WireReader& in) {
@@ -95,6 +97,7 @@ std::string DeviceCalls::addFrame(WireReader& in) {
     const Vec3 position = vectorOf(in), hpr = vectorOf(in);
     std::uint32_t index = 0;
     if (m_mount->body(m_mount->context, body.c_str(), &index) != 0) return refused("there is no body " + body);
+    if (!position.allFinite() || !hpr.allFinite()) return refused("the position and the angles of a frame are finite numbers");
     m_frames.push_back({BodyId{index}, {position, rotationFromHpr(hpr)}});
     return accepted().number(static_cast<std::uint32_t>(m_frames.size() - 1)).take();
 }

@@ -1,10 +1,13 @@
 #include "run/live/live_clock.h"
 
+#include <algorithm>
+
 namespace trundle {
 namespace {
 
 constexpr std::chrono::milliseconds kLateEnough(250), kSampleGap(20);
 constexpr std::chrono::seconds kWindow(1);
+constexpr double kNever = 1e9; // s, some thirty years: the clock has no more room
 
 double secondsOf(std::chrono::steady_clock::duration d) { return std::chrono::duration<double>(d).count(); }
 
@@ -21,7 +24,7 @@ LivePace::Clock::time_point LivePace::due(Clock::time_point now, double tickS, d
         restart(now);
     }
     if (speed <= 0) return now;
-    const double seconds = static_cast<double>(m_done + 1) * tickS / speed;
+    const double seconds = std::min(static_cast<double>(m_done + 1) * tickS / speed, kNever);
     const Clock::time_point due = m_start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
     if (now - due < kLateEnough) return due;
     restart(now);

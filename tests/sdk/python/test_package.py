@@ -65,10 +65,31 @@ class DescriptionTest(unittest.TestCase):
         with self.assertRaises(TypeError):
             trundle.field("A", {}, trundle.metres(), "No value.")
 
+        for value in (math.nan, math.inf, [1.0, -math.inf]):
+            with self.assertRaisesRegex(ValueError, "Far .* no finite number"):
+                trundle.field("Far", value, trundle.metres(), "No number.")
+
         class Much(trundle.Controller):
             all = trundle.output("all", "", "Too many.", count=1001)
         with self.assertRaises(ValueError):
             kind_to_json(Much)
+
+    def test_whole_numbers_of_a_scaled_unit_are_numbers(self):
+        """90 degrees and 2500 ms are no whole number of radians and seconds."""
+        for value in (0, 1, None):
+            more = {"type": int} if value is None else {}
+            angle = trundle.field("Angle", value, trundle.degrees(), "Of the arm.", **more)
+            self.assertEqual((angle.type, angle.to_python([math.pi / 2], [])), ("number", math.pi / 2))
+            wait = trundle.field("Wait", value, trundle.milliseconds(), "At the start.", **more)
+            self.assertEqual((wait.to_json()["type"], wait.to_python([2.5], [])), ("number", 2.5))
+            count = trundle.field("Count", value, trundle.number(), "Of laps.", **more)
+            self.assertEqual((count.type, count.to_python([3.0], [])), ("integer", 3))
+
+    def test_lists_of_texts_and_flags(self):
+        names = trundle.field("Names", [], trundle.text(), "Of friends.")
+        self.assertEqual((names.to_json()["type"], names.to_python([], ["a", "b"])), ("text", ["a", "b"]))
+        flags = trundle.field("Flags", (True, False), trundle.flag(), "Of the sides.")
+        self.assertEqual((flags.to_json()["type"], flags.to_json()["count"], flags.to_python([0.0, 1.0], [])), ("boolean", [2, 2], (False, True)))
 
     def test_values_become_attributes(self):
         sample = Sample()

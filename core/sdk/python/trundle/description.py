@@ -36,6 +36,8 @@ class field:
     def __init__(self, name, default, quantity, help, type=None):
         if not isinstance(quantity, Quantity):
             raise TypeError(f"the field {name} needs a quantity, such as metres()")
+        if hasattr(default, "tolist"):  # of numpy
+            default = default.tolist()
         self.name, self.default, self.quantity, self.help = name, default, quantity, help
         sample = default
         if default is None:
@@ -43,6 +45,8 @@ class field:
                 raise TypeError(f"the field {name} has the default None, so it needs type=float, int, bool or str")
             sample = (type or str)()
         self.type, self.counts = _type_of(sample)
+        if self.type == "integer" and quantity.scale != 1:  # 90 deg is no whole number of radians
+            self.type = "number"
         self.type = quantity.type or self.type
         self.counts = quantity.counts or self.counts
         self.attribute = ""
@@ -60,6 +64,8 @@ class field:
                 raise ValueError(f"the default {value!r} of the field {self.name} is not one of {', '.join(q.choices)}")
             if self.type not in ("number", "integer"):
                 continue
+            if not math.isfinite(value):
+                raise ValueError(f"the default of the field {self.name} is {value}, which is no finite number")
             given = value / q.scale
             slack = 1e-9 * abs(given)
             below = given <= q.minimum if q.min_exclusive else given < q.minimum - slack

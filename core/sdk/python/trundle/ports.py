@@ -53,7 +53,10 @@ class Port:
         return self._slot(signal).values()
 
     def set(self, signal, value, element=0):
-        self._slot(signal).set(value, element)
+        slot = self._slot(signal)
+        if not slot.writable:
+            raise AttributeError(f"'{signal}' is measured, not commanded")
+        slot.set(value, element)
 
     def _slot(self, signal):
         try:

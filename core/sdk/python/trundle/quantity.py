@@ -82,8 +82,15 @@ ohms = _maker("ohms", "ohm")
 hertz = _maker("hertz", "Hz")
 decibels = _maker("decibels", "dB")
 decibel_milliwatts = _maker("decibel_milliwatts", "dBm")
-flag = _maker("flag", "")
-text = _maker("text", "")
+
+
+def flag():
+    """true or false."""
+    return Quantity(type="boolean")
+
+
+def text():
+    return Quantity(type="text")
 
 
 def _words(words):

@@ -31,6 +31,10 @@ class RadioPort:
 
     def send(self, data, power=FULL_POWER, to=EVERYBODY):
         """Sends bytes or a text to one address, or broadcasts by default. False if it is too long or the queue is full."""
+        if isinstance(data, int):  # of which bytes() makes as many zeros
+            raise TypeError(f"a packet has bytes or a text, not {data!r}")
+        if not 1 <= to <= EVERYBODY:
+            raise ValueError(f"addresses are 1 to {EVERYBODY - 1}, and {EVERYBODY} for all, not {to!r}")
         data = data.encode() if isinstance(data, str) else bytes(data)
         return len(data) <= MOST_PAYLOAD and self._outside.send_packet(self._radio, data, to, power)
 

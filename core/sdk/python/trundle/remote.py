@@ -17,6 +17,7 @@ PROTOCOL = 1
 _MOST_BYTES = 1 << 28  # of a reply; more is an error of the stream
 _MOST_AT_ONCE = 1 << 20
 _MOST_EVENTS = 10000  # that wait to be fetched; older ones are dropped
+_LARGEST = sys.float_info.max
 _DIRECTIONS = {"output": OUTPUT, "command": COMMAND, "truth": TRUTH}
 _TYPES = {"real": 1, "integer": 2, "boolean": 3}
 
@@ -96,6 +97,10 @@ class _Frames:
             self._received += got
 
     def close(self):
+        try:
+            self._socket.shutdown(socket.SHUT_RDWR)  # forked processes may have it open, too
+        except OSError:
+            pass  # it is not connected any more
         self._socket.close()
 
 
@@ -174,10 +179,12 @@ class Remote:
     def __init__(self, stream, token="", console=None):
         self._frames = _Frames(stream)
         self._number = 0
+        self._awaited, self._replies = set(), {}  # numbers of requests; a console callback may make some while another one waits
         self._console = console
         self._subscriptions = {}  # number: (signals, queue)
         self._tick = self._time = 0
         self._state, self._reason = "paused", ""
+        self._seed = self._tick_s = self._layout = None
         self._forget_robots()
         try:
             self.experiment = self._request("hello", token=token, protocol=PROTOCOL)[0]["experiment"]
@@ -293,7 +300,20 @@ class Remote:
 
     def __setitem__(self, path, value):
         """Sets a command signal from the coming tick on: a number, or a sequence where it has several."""
-        self._request("command", signals={path: value if isinstance(value, (int, float)) or hasattr(value, "tolist") else list(value)})
+        values = value if isinstance(value, (int, float)) else _plain(value) if hasattr(value, "tolist") else [
+            _plain(each) if hasattr(each, "tolist") else each for each in value]
+        for number in values if isinstance(values, list) else [values]:
+            if not isinstance(number, (int, float)):
+                raise TypeError(f"{path} takes numbers, not {number!r}")
+            if not abs(number) <= _LARGEST:  # also if it is none
+                raise ValueError(f"{path} was given a value that is no finite number")
+        self._request("command", signals={path: values})
+        for own, at, count in self._slots:  # the last value given counts
+            if own == path:
+                self._views[1].restore(at, values if isinstance(values, list) else [values])
+                self._pending.update((slot, self._tick) for slot in range(at, at + count))
+                for slot in range(at, at + count):
+                    self._views[2][slot] = self._views[1][slot]
 
     def read(self, *patterns):
         """The values of all signals that match, * and ? being wildcards, as a dict."""
@@ -373,12 +393,13 @@ class Remote:
 
     def _request(self, operation, data=b"", /, **members):
         self._number += 1
+        number = self._number
         try:
-            self._frames.send({"id": self._number, "op": operation, **members}, data)
+            self._frames.send({"id": number, "op": operation, **members}, data)
         except (BrokenPipeError, ConnectionResetError):
             pass  # what the other end sent before it went is read below
         try:
-            reply, data = self._receive_reply()
+            reply, data = self._receive_reply(number)
         except ConnectionResetError:
             raise Disconnected("the connection was closed by the other end") from None
         except KeyboardInterrupt:
@@ -391,12 +412,21 @@ class Remote:
         self._take_state(reply)
         return reply, data
 
-    def _receive_reply(self):
-        """The reply to the last request; those to earlier ones, which an interrupt has left, are skipped."""
-        while True:
-            message, data = self._receive()
-            if not self._take(message, data) and message["id"] in (self._number, None):
-                return message, data
+    def _receive_reply(self, number):
+        """The reply to a request; those to earlier ones, which an interrupt has left, are skipped."""
+        self._awaited.add(number)
+        try:
+            while number not in self._replies:
+                message, data = self._receive()
+                if self._take(message, data):
+                    continue
+                answered = number if message["id"] is None else message["id"]
+                if answered in self._awaited:
+                    self._replies[answered] = message, data
+            return self._replies.pop(number)
+        finally:
+            self._awaited.discard(number)
+            self._replies.pop(number, None)
 
     def _take_state(self, message):
         if "tick" in message and "state" in message:
@@ -419,7 +449,8 @@ class Remote:
 
     def _read_status(self):
         status = self._request("status")[0]
-        self._seed, self._tick_s, self._layout = status.get("seed"), status.get("tick_s"), status.get("layout")
+        if "layout" in status:  # not while there is no run, after a reset that failed
+            self._seed, self._tick_s, self._layout = status["seed"], status["tick_s"], status["layout"]
         return status
 
     def _forget_robots(self):
@@ -433,7 +464,8 @@ class Remote:
             self._request("unsubscribe", subscription=self._watch)
         self._watch = self._request("subscribe", signals=[each + "/*" for each in [*self._robots, name]], every=0)[0]["subscription"]
         if self._views is None:
-            self._views = [memoryview(bytearray(8 * robot["slots"])).cast("d") for _ in range(3)]
+            image = bytes(8 * robot["slots"])
+            self._views = memoryview(bytearray(image)).cast("d"), _Commands(robot["slots"]), memoryview(bytearray(image)).cast("d")
         values, commands, _ = self._views
         entries = [Entry(s["path"], _TYPES[s["type"]], _DIRECTIONS[s["direction"]], s["count"], s["offset"]) for s in robot["signals"]]
         self._slots += [(e.path, e.offset, e.count) for e in entries if e.direction == COMMAND]
@@ -445,15 +477,19 @@ class Remote:
         self._exchange("read", {})
 
     def _add_changes(self, members):
+        """What ports have set since the last exchange, be it what was sent before: somebody else may have set something else since."""
         if self._views is None:
             return
         _, commands, sent = self._views
-        changes = {path: commands[at] if count == 1 else commands[at:at + count].tolist() for path, at, count in self._slots
-                   if commands[at:at + count] != sent[at:at + count]}
+        changes = {}
         for path, at, count in self._slots:
-            if path in changes and not all(map(math.isfinite, commands[at:at + count])):
-                commands[at:at + count] = sent[at:at + count]
+            if commands.changed.isdisjoint(range(at, at + count)):
+                continue
+            values = commands[at:at + count].tolist()
+            if not all(map(math.isfinite, values)):
+                commands.restore(at, sent[at:at + count])
                 raise ValueError(f"{path} was given a value that is no finite number")
+            changes[path] = values[0] if count == 1 else values
         if changes:
             members["signals"] = changes
 
@@ -470,29 +506,59 @@ class Remote:
         """A request whose reply has the values of all watched robots."""
         if reads and self._watch is not None:
             members["subscription"] = self._watch
+        sends = "signals" in members and self._views is not None
+        if sends:
+            self._views[1].changed = set()  # what a callback sets meanwhile is for the next one
         try:
             reply, data = self._request(operation, **members)
         except RemoteError:
-            for _, at, count in self._slots:  # what was refused is not sent again
-                self._views[1][at:at + count] = self._views[2][at:at + count]
+            if sends:
+                for _, at, count in self._slots:  # what was refused is not sent again
+                    self._views[1].restore(at, self._views[2][at:at + count])
             raise
         if reads and self._watch is not None:
             self._take_values(data)
         return reply
 
     def _take_values(self, data):
-        """Commands become those of the world, as another client may have set them, except what waits for the coming tick."""
+        """Commands become those of the world, as another client may have set them, except what waits for the coming tick, and what is not
+        sent yet."""
         received, at = memoryview(data).cast("d"), 0
-        _, commands, sent = self._views
+        values, commands, sent = self._views
         waiting = {slot: sent[slot] for slot, tick in self._pending.items() if tick >= self._tick}
+        unsent = {slot: commands[slot] for slot in commands.changed}
         for offset, count in self._spans:
             piece = received[at:at + count]
-            for view in self._views:
-                view[offset:offset + count] = piece
+            values[offset:offset + count] = sent[offset:offset + count] = piece
+            commands.restore(offset, piece, keeps=True)
             at += count
         for slot, value in waiting.items():
-            commands[slot] = sent[slot] = value
+            sent[slot] = value
+        for slot, value in {**waiting, **unsent}.items():
+            commands.restore(slot, [value], keeps=True)
         self._pending = {slot: tick for slot, tick in self._pending.items() if slot in waiting}
+
+
+class _Commands:
+    """Doubles that remember which of them ports have set and that are not sent yet."""
+
+    def __init__(self, count):
+        self._values = memoryview(bytearray(8 * count)).cast("d")
+        self.changed = set()
+
+    def __getitem__(self, at):
+        return self._values[at]
+
+    def __setitem__(self, at, value):
+        self._values[at] = value
+        self.changed.add(at)
+
+    def restore(self, first, values, keeps=False):
+        """Sets values from `first` on that are those of the world. `keeps`: what is marked as changed stays so."""
+        for at, value in enumerate(values, first):
+            self._values[at] = value
+        if not keeps:
+            self.changed.difference_update(range(first, first + len(values)))
 
 
 def _joined(spans):

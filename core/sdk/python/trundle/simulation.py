@@ -56,7 +56,7 @@ class Simulation(Remote):
     "rover.Pos=1,0,0"; `modules`: folders whose modules are trusted; `console(time, who, severity, text)` gets what controllers print, None nothing."""
 
     def __init__(self, file, *, seed=None, sets=(), modules=(), include=(), trust=False, log_dir=None, console=print_line, program=None):
-        texts = [f"{path}={_as_in_a_text(value)}" for path, value in sets.items()] if isinstance(sets, dict) else list(sets)
+        texts = [f"{path}={_as_in_a_text(value)}" for path, value in sets.items()] if isinstance(sets, dict) else [sets] if isinstance(sets, str) else list(sets)
         if seed is not None:
             texts.append(f"Seed={seed}")
         arguments = [program or find_program(), "serve", os.fspath(file)]
@@ -88,12 +88,14 @@ class Simulation(Remote):
 
     def _last_words(self):
         """How the process has ended, and what it printed last."""
-        if self._errors.closed:
+        if self._errors.closed or self._process is None:
             return "the simulation is closed"
         try:
             code = self._process.wait(5)
         except subprocess.TimeoutExpired:
             return "trundle-cli has closed the connection"
+        if self._errors.closed:  # by another thread
+            return "the simulation is closed"
         self._errors.seek(max(0, self._errors.seek(0, os.SEEK_END) - _LAST_BYTES))
         said = self._errors.read().decode("utf-8", "replace").strip()
         how = f"was ended by signal {-code}" if code < 0 else f"has ended with exit code {code}"
@@ -104,9 +106,10 @@ class Simulation(Remote):
         super().close()
         if self._process is None:
             return
-        try:
-            self._process.wait(10)
-        except subprocess.TimeoutExpired:
-            self._process.kill()
-            self._process.wait()
+        for give_up in (self._process.terminate, self._process.kill, None):
+            try:
+                self._process.wait(10 if give_up else None)
+                break
+            except subprocess.TimeoutExpired:
+                give_up()
         self._errors.close()

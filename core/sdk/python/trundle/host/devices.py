@@ -139,22 +139,32 @@ class Calls:
     def print(self, severity, text):
         return self._command("print", Writer().number("i", severity).bytes(text))
 
+    def _check_phase(self, phase, name):
+        if self.phase != phase:
+            raise RuntimeError(f"World.{name}() is for {phase}(), not for {self.phase}()")
+
     def motor_row(self, joint, rate, softness, limit):
+        self._check_phase("act", "motor_row")
         self._command("motor_row", Writer().number("I", _handle(joint, "joint")).doubles(3, (rate, softness, limit)))
 
     def servo_row(self, joint, rate, limit, damping):
+        self._check_phase("act", "servo_row")
         self._command("servo_row", Writer().number("I", _handle(joint, "joint")).doubles(3, (rate, limit, damping)))
 
     def joint_torque(self, joint, torque):
+        self._check_phase("act", "joint_torque")
         self._command("joint_torque", Writer().number("I", _handle(joint, "joint")).number("d", torque))
 
     def body_force(self, body, force, point):
+        self._check_phase("act", "body_force")
         self._command("body_force", Writer().number("I", _handle(body, "body")).doubles(3, force).doubles(3, point))
 
     def surface_velocity(self, geom, velocity):
+        self._check_phase("act", "surface_velocity")
         self._command("surface_velocity", Writer().number("I", _handle(geom, "geom")).doubles(3, velocity))
 
     def draw(self, watts, conductance):
+        self._check_phase("sense", "draw")
         self._command("draw", Writer().doubles(2, (watts, conductance)))
 
 
@@ -184,6 +194,7 @@ class RunningDevice(Instance):
     def call(self, phase, reader):
         """The numbers that it has changed: its own, and those of other devices."""
         tick_number, self._world.time = reader.number("Q"), reader.number("d")
+        self.outside.phase = phase
         self.outside.begin(tick_number, Supply(bool(reader.number("B")), *reader.doubles(2)))
         own, peers = reader.bytes(), reader.bytes()
         memoryview(self._own).cast("B")[:] = own

@@ -83,6 +83,8 @@ class Outside:
         return fault[1] if fault else ""
 
     def object_name(self, number):
+        if not 0 <= number < 1 << 32:
+            return ""
         reply = self._ask(OBJECT_NAME, Writer().number("I", number))
         return reply.text() if reply else ""
 
