@@ -51,6 +51,66 @@ private Q_SLOTS:
         QCOMPARE(QDir(at("hills")).entryList(QDir::Files).size(), 3);
     }
 
+    /// The view is from as far as the longer side of the arena is, and the robot where it is free.
+    void theViewShowsTheLongerSide_data() {
+        QTest::addColumn<double>("length"); // m, along x
+        QTest::addColumn<double>("width");
+        QTest::addColumn<QByteArray>("eye");
+        QTest::newRow("along x") << 8. << 4. << QByteArray("Eye=-0.8,-5.6,7.2 ");
+        QTest::newRow("along y") << 4. << 10. << QByteArray("Eye=-1,-7,9 ");
+        QTest::newRow("small") << 1.2 << 1. << QByteArray("Eye=-0.15,-1.05,1.35 ");
+    }
+    void theViewShowsTheLongerSide() {
+        QFETCH(double, length);
+        QFETCH(double, width);
+        QFETCH(QByteArray, eye);
+        const QTemporaryDir folder;
+        const std::string parent = folder.path().toStdString();
+        const auto check = [&](const Result<NewArena>& made, const QByteArray& robot) {
+            QVERIFY2(made.ok(), messageOf(made).c_str());
+            const QByteArray text = contentOf(QString::fromStdString(made.value().experiment));
+            QVERIFY2(text.contains(eye) && text.contains("Robot robot0 { Config=SimpleRobot Pos=" + robot), text);
+        };
+        FloorPlan plan;
+        plan.cell = 0.1;
+        plan.columns = static_cast<std::uint32_t>(std::lround(length / plan.cell));
+        plan.rows = static_cast<std::uint32_t>(std::lround(width / plan.cell));
+        plan.walls = {{0, 0, 1, 2}};
+        plan.freest = {0.3, -0.2};
+        plan.room = 0.3;
+        check(makePlanArena("Plan", plan, 0.5, "plan.png", parent), "0.3,-0.2,0 ");
+        ObstacleField field;
+        field.length = length;
+        field.width = width;
+        field.count = 0;
+        if (const Result<NewArena> made = makeObstacleArena("Field", field, parent)) check(made, "0,0,0 ");
+        RoomPlan room;
+        room.length = length;
+        room.width = width;
+        room.startX = -0.4;
+        room.startY = 0.1;
+        room.walls = {{"north", 0, width / 2, length, 0.1}};
+        check(makeRoomArena("Room", room, "a room", parent), "-0.4,0.1,0 ");
+        QVERIFY(drawn("slope.pgm") == at("slope.pgm").toStdString());
+        check(makeHeightsArena("Slope", at("slope.pgm").toStdString(), {length, width, 0.5}, parent, findLocations()), "0,0,");
+    }
+
+    void wallsHaveAHeightAndRoom() {
+        const QTemporaryDir folder;
+        FloorPlan plan;
+        plan.cell = 0.1;
+        plan.columns = plan.rows = 30;
+        plan.walls = {{0, 0, 1, 2}};
+        int number = 0;
+        const auto makes = [&](double height, double room) {
+            plan.room = room;
+            return makePlanArena("Plan" + std::to_string(number++), plan, height, "plan.png", folder.path().toStdString()).ok();
+        };
+        QVERIFY(makes(0.01, 0.26) && makes(100, 0.26));
+        QVERIFY(!makes(0.0099, 0.26) && !makes(100.1, 0.26) && !makes(std::nan(""), 0.26));
+        QVERIFY(!makes(0.5, 0.24));
+    }
+
     /// A path may have 4095 bytes: here the texts have room and the picture, with its long name, has none.
     void aPictureThatCannotBeCopiedLeavesNothing() {
         const std::string picture = drawn(QString(240, 'p') + ".pgm");

@@ -299,6 +299,27 @@ private Q_SLOTS:
         QVERIFY(mesh.error().message.find("/nowhere/trundle-meshreader") != std::string::npos);
     }
 
+    /// Of what a reader writes about a failure a message has the first line that is not empty, its beginning.
+    void aFailureHasTheFirstLineOfItsReader() {
+        const std::string program =
+            sample("reader", "#!/bin/sh\nprintf '\\n\\nno \\ttri\\033angles%0400d\\nmore' 7 >&2\nexit 1\n");
+        QVERIFY(QFile::setPermissions(QString::fromStdString(program), QFile::ReadOwner | QFile::ExeOwner));
+        const std::string path = sample("a.obj", "v 0 0 0\n");
+        const auto mesh = AssetReader(program).mesh(path);
+        QVERIFY(!mesh.ok());
+        QCOMPARE(mesh.error().message, "cannot read " + path + ": no triangles" + std::string(288, '0'));
+    }
+
+    void aFileMayBeAsLargeAsTheLimit() {
+        const QByteArray text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+        const std::string path = sample("a.obj", text);
+        const auto size = std::uint64_t(text.size());
+        QVERIFY(AssetReader(TRUNDLE_MESHREADER, {.fileBytes = size}).mesh(path).ok());
+        const auto mesh = AssetReader(TRUNDLE_MESHREADER, {.fileBytes = size - 1}).mesh(path);
+        QVERIFY(!mesh.ok());
+        QCOMPARE(mesh.error().message, "cannot read " + path + ": it is larger than 0 MiB");
+    }
+
 private:
     std::string sample(const QString& name, const QByteArray& bytes) const { return writeSample(m_folder->path(), name, bytes); }
 

@@ -75,6 +75,9 @@ private Q_SLOTS:
         row("a sound box", box(), {});
         row("a box inside out", box(true), numbers(0, 12));
         row("far from its origin", boxes({{{1e6, 1e6, 1e6, 1e6 + 0.25, 1e6 + 0.25, 1e6 + 0.25}, true}}), numbers(0, 12));
+        const std::array<double, 6> far{1e6 + 0.1, 2e6 + 0.3, 3e6 + 0.7, 1e6 + 0.2, 2e6 + 0.6, 3e6 + 0.9};
+        row("small and far from its origin", boxes({{far, false}}), {});
+        row("small and far from its origin, inside out", boxes({{far, true}}), numbers(0, 12));
         row("two boxes", boxes({{here, false}, {there, false}}), {});
         row("two boxes inside out", boxes({{here, true}, {there, true}}), numbers(0, 24));
         row("the second of two", boxes({{here, false}, {there, true}}), numbers(12, 24));
@@ -87,6 +90,10 @@ private Q_SLOTS:
         row("a box in another one", boxes({{here, false}, {inHere, false}}), {});
         row("boxes with a common edge", boxes({{here, false}, {touching, false}}), {});
         row("boxes with a common edge, inside out", boxes({{here, true}, {touching, true}}), numbers(0, 24));
+        // As much inside as outside, but for rounding.
+        const std::array<double, 6> one{0, 0, 0, 0.3, 0.3, 0.3}, other{0.3, 0.3, 0, 0.6, 0.6, 0.3};
+        row("boxes with a common edge, the first inside out", boxes({{one, true}, {other, false}}), {});
+        row("boxes with a common edge, the second inside out", boxes({{one, false}, {other, true}}), {});
     }
     void shellsThatAreInsideOutAreReversed() {
         QFETCH(TriangleMesh, mesh);
@@ -133,6 +140,11 @@ private Q_SLOTS:
         TriangleMesh open = box(true), sheet, both, mixed, partition = box(true);
         open.triangles.pop_back();
         QTest::newRow("a box that lacks a triangle") << open;
+        for (std::ptrdiff_t i = 0; i < 11; ++i) {
+            TriangleMesh without = box(true);
+            without.triangles.erase(without.triangles.begin() + i);
+            QTest::addRow("a box that lacks triangle %td", i) << without;
+        }
         sheet.points = {{0, 0, 0}, {1, 0, 0.1}, {1, 1, 0}, {0, 1, 0.2}};
         sheet.triangles = {{0, 2, 1}, {0, 3, 2}};
         QTest::newRow("a sheet that faces down") << sheet;

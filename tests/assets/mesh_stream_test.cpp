@@ -4,7 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "assets/mesh_appearance_stream.h"
 #include "assets/mesh_stream.h"
+#include "assets/stream_limits.h"
+#include "base/mesh_appearance.h"
 
 using namespace trundle;
 
@@ -32,6 +35,85 @@ private Q_SLOTS:
         QVERIFY(back.ok());
         QCOMPARE(back.value().columns, 3u);
         QVERIFY(back.value().heights == map.heights);
+    }
+
+    /// Materials with one picture, with another one and without; no value is that of another member.
+    void appearanceIsDecodedAsItWasEncoded() {
+        const auto wide = std::make_shared<const Raster>(Raster{3, 1, {1, 2, 3, 4, 5, 6, 7, 8, 9}});
+        const auto high = std::make_shared<const Raster>(Raster{1, 2, {11, 12, 13, 14, 15, 16}});
+        MeshAppearance look;
+        look.materials = {{{0.1f, 0.2f, 0.3f}, {0.4f, 0.5f, 0.6f}, 0.7f, 0.8f, high},
+                          {{0.9f, 0, 1}, {0, 1, 0}, 1, 0, nullptr},
+                          {{1, 1, 1}, {0, 0, 0}, 0.25f, 0.75f, wide},
+                          {{0, 0, 1}, {0, 0, 0}, 0.5f, 0.125f, high}};
+        look.material = {3, 0, 2, 1};
+        for (int i = 0; i < 4; ++i) {
+            const auto at = static_cast<float>(i);
+            look.onPicture.push_back({{{at, 0.5f}, {-1, at}, {1e6f, -1e6f}}});
+        }
+        look.warnings = {"no paint", "", "a picture is cut off"};
+        TriangleMesh mesh = tetrahedron();
+        mesh.look = std::make_shared<const MeshAppearance>(look);
+        const auto decoded = decodeMesh(encodeMesh(mesh));
+        QVERIFY(decoded.ok() && decoded.value().look);
+        const MeshAppearance& is = *decoded.value().look;
+        QVERIFY(is.material == look.material && is.onPicture == look.onPicture && is.warnings == look.warnings);
+        QCOMPARE(is.materials.size(), look.materials.size());
+        for (std::size_t i = 0; i < look.materials.size(); ++i) {
+            const MeshMaterial &was = look.materials[i], &now = is.materials[i];
+            QVERIFY(now.colour == was.colour && now.emission == was.emission);
+            QVERIFY(now.opacity == was.opacity && now.shininess == was.shininess);
+            QCOMPARE(bool(now.picture), bool(was.picture));
+            if (!was.picture) continue;
+            QVERIFY(now.picture->width == was.picture->width && now.picture->height == was.picture->height);
+            QVERIFY(now.picture->pixels == was.picture->pixels);
+        }
+        QVERIFY(is.materials[0].picture == is.materials[3].picture); // stored once
+    }
+
+    void appearancesThatCannotBeAreRefused_data() {
+        QTest::addColumn<int>("lie");
+        QTest::addColumn<bool>("isRefused");
+        const char* const names[] = {
+            "as it should be",       "a material behind the last one", "a colour above 1",    "an opacity below 0",
+            "a shininess above 1",   "a picture without coordinates",  "a coordinate of 2e6", "a coordinate that is no number",
+            "a picture of no width", "a picture that is too wide",     "one byte more"};
+        for (int lie = 0; lie < 11; ++lie) QTest::newRow(names[lie]) << lie << (lie > 0);
+    }
+    void appearancesThatCannotBeAreRefused() {
+        QFETCH(int, lie);
+        QFETCH(bool, isRefused);
+        auto raster = std::make_shared<Raster>(Raster{2, 1, {1, 2, 3, 4, 5, 6}});
+        MeshAppearance look;
+        look.materials = {{{0.5f, 0.5f, 0.5f}, {0, 0, 0}, 1, 0, raster}, {}};
+        look.material = {0, 1};
+        look.onPicture.resize(2);
+        const float huge = 2e6f, none = std::numeric_limits<float>::quiet_NaN();
+        if (lie == 1) look.material[1] = 2;
+        if (lie == 2) look.materials[1].colour[2] = 1.01f;
+        if (lie == 3) look.materials[1].opacity = -0.01f;
+        if (lie == 4) look.materials[0].shininess = 1.01f;
+        if (lie == 5) look.onPicture.clear();
+        if (lie == 6) look.onPicture[1][2][1] = huge;
+        if (lie == 7) look.onPicture[1][2][0] = none;
+        if (lie == 8) raster->width = 0, raster->pixels.clear();
+        if (lie == 9) raster->width = kMaxRasterSide + 1, raster->pixels.resize((kMaxRasterSide + 1) * 3);
+        const auto decoded = decodeAppearance(encodeAppearance(look) + (lie == 10 ? "x" : ""), 2);
+        QCOMPARE(!decoded.ok(), isRefused);
+    }
+
+    void picturesKeepTheirSides() {
+        const Raster raster{3, 2, std::vector<std::uint8_t>(18, 7)};
+        const auto back = decodeRaster(encodeRaster(raster));
+        QVERIFY(back.ok() && back.value().width == 3 && back.value().height == 2 && back.value().pixels == raster.pixels);
+        const auto grey = decodeHeightMap(encodeHeightMap({3, 2, {0, 0.5f, 1, 0.25f, 0, 1}}));
+        QVERIFY(grey.ok() && grey.value().columns == 3 && grey.value().rows == 2);
+        const std::uint32_t most = kMaxRasterSide;
+        QVERIFY(decodeRaster(encodeRaster({most, 1, std::vector<std::uint8_t>(most * 3)})).ok());
+        QVERIFY(!decodeRaster(encodeRaster({most + 1, 1, std::vector<std::uint8_t>((most + 1) * 3)})).ok());
+        QVERIFY(!decodeRaster(encodeRaster({1, most + 1, std::vector<std::uint8_t>((most + 1) * 3)})).ok());
+        QVERIFY(!decodeHeightMap(encodeHeightMap({4, 1, {0, 0, 0, 0}})).ok());
+        QVERIFY(!decodeHeightMap(encodeHeightMap({2, kMaxGreySide + 1, std::vector<float>(2 * (kMaxGreySide + 1))})).ok());
     }
 
     void everyShorterOrLongerStreamIsRefused() {

@@ -279,6 +279,23 @@ private Q_SLOTS:
         }
     }
 
+    /// What is round reaches as far on both sides of its middle, or of its axis.
+    void offsetsOfRoundCopies() {
+        const std::map<std::string, double> steps{{"Sphere s { Radius=0.45 }", 1},
+                                                  {"Capsule c { Radius=0.2 Length=3 }", 0.5},
+                                                  {"Capsule c { Radius=0.2 Length=1 HPR=0,0,90 }", 1.5},
+                                                  {"Sphere s { Radius=0.2 Pos=0,-1,0 } Sphere t { Radius=0.3 Pos=0,1,0 }", 2.6},
+                                                  {"Sphere s { Radius=0.45 Collide=false } Box b { Size=1,0.2,1 }", 0.3}};
+        for (const auto& [geoms, step] : steps) {
+            const auto loaded =
+                m_fixture.open("StaticConfig W { " + geoms + " }\nStatic post { Config=W }\nStatic w { Config=W Pos=3,-7,0 }\n");
+            QVERIFY(loaded && !loaded->diagnostics.hasErrors());
+            const Vec3 offset = duplicateOffset(*loaded, {"w"});
+            QVERIFY2(offset.x() == 0 && offset.z() == 0 && std::abs(offset.y() - step) < 1e-9,
+                     (geoms + " " + std::to_string(offset.y())).c_str());
+        }
+    }
+
     void configsThatNothingPlaces() {
         QVERIFY(configsWithoutInstances(*m_loaded).empty());
         const auto parts =

@@ -119,6 +119,118 @@ private Q_SLOTS:
         expected.sort();
         QCOMPARE(given(), expected);
     }
+
+    /// A signal of several numbers waits as one command for each of them; other counts are refused.
+    void eachNumberOfASignalIsACommand() {
+        const auto numbersOf = [&] {
+            std::map<std::uint32_t, double> numbers;
+            const std::size_t before = m_runner->commands().size();
+            m_run->beginTick();
+            if (!m_runner->tick()) return numbers;
+            for (const Command& each : std::span(m_runner->commands()).subspan(before))
+                if (const auto* signal = std::get_if<SignalCommand>(&each.what)) numbers[signal->element] = signal->value;
+            return numbers;
+        };
+        QVERIFY(m_run->setSignal("free/base/linearVelocity", {0.25}));
+        QCOMPARE(numbersOf(), (std::map<std::uint32_t, double>{{0, 0.25}}));
+        for (const std::vector<double>& wrong : {std::vector<double>(), {1, 2}}) {
+            const Status refused = m_run->setSignal("free/base/linearVelocity", wrong);
+            QVERIFY(!refused && refused.error().code == Code::WrongPlace);
+        }
+        QVERIFY(!m_run->setSignal("free/touch/pressed", {1})); // measured
+        QVERIFY(numbersOf().empty());
+    }
+
+    /// Of the run before nothing is left: what was held, what waited, that it ran or was at its Duration.
+    void aResetKeepsNothingOfTheRunBefore_data() {
+        QTest::addColumn<double>("duration");
+        QTest::newRow("without a Duration") << 0.;
+        QTest::newRow("with one") << 0.03;
+    }
+    void aResetKeepsNothingOfTheRunBefore() {
+        QFETCH(double, duration);
+        std::vector<std::optional<std::uint64_t>> seeds;
+        std::shared_ptr<ExperimentRunner> runner;
+        ServedRun run([&](std::optional<std::uint64_t> seed) {
+            seeds.push_back(seed);
+            const auto experiment = experimentOf({"robot", "robot1"});
+            experiment->settings.tick = 0.01;
+            experiment->settings.duration = duration;
+            runner = std::make_shared<ExperimentRunner>(std::make_unique<FakeWorld>(experiment), RunOptions());
+            return ServedExperiment{runner, {}, {}};
+        });
+        QVERIFY(!run.exists() && run.state() == ServedState::Ended);
+        const auto tick = [&] {
+            run.beginTick();
+            run.endTick(runner->tick().ok());
+        };
+        QVERIFY(run.reset(7) && run.state() == ServedState::Paused);
+        for (int round = 0; round < 2; ++round) {
+            QVERIFY(run.hold("robot1", true) && run.setSignal("robot1/base/linearVelocity", {0.5}));
+            run.run(2.5);
+            QVERIFY(run.state() == ServedState::Running && run.speed() == 2.5 && !run.isAtDuration());
+            for (int i = 0; i < 3; ++i) tick();
+            QCOMPARE(run.isAtDuration(), duration > 0);
+            QCOMPARE(run.state(), duration > 0 ? ServedState::Paused : ServedState::Running);
+            if (round == 0) run.run(1.5); // on past it, and no second stop
+            QVERIFY(!run.isAtDuration() || round == 1);
+            tick();
+            QVERIFY(!run.isAtDuration());
+            QVERIFY(run.hold("robot", true));
+            QVERIFY(run.reset(round == 0 ? std::optional<std::uint64_t>() : 9));
+            QVERIFY(run.state() == ServedState::Paused && !run.isAtDuration());
+            QVERIFY(!run.isHeld("robot") && !run.isHeld("robot1"));
+            const std::size_t before = runner->commands().size();
+            run.beginTick();
+            QCOMPARE(runner->commands().size(), before);
+        }
+        QCOMPARE(seeds, (std::vector<std::optional<std::uint64_t>>{7, std::nullopt, 9}));
+    }
+
+    /// A pause changes what runs alone; a failed tick ends it until a reset.
+    void statesOfARun() {
+        std::shared_ptr<ExperimentRunner> runner;
+        bool isBuilt = true;
+        ServedRun run([&](std::optional<std::uint64_t>) {
+            runner = std::make_shared<ExperimentRunner>(std::make_unique<FakeWorld>(experimentOf({"robot"})), RunOptions());
+            return isBuilt ? ServedExperiment{runner, {}, {}} : ServedExperiment{};
+        });
+        QVERIFY(run.reset());
+        run.run(0);
+        run.pause();
+        QCOMPARE(run.state(), ServedState::Paused);
+        run.endTick(false);
+        QCOMPARE(run.state(), ServedState::Ended);
+        run.pause();
+        run.run(1);
+        QCOMPARE(run.state(), ServedState::Ended);
+        QVERIFY(run.speed() == 0 && run.reset() && run.state() == ServedState::Paused);
+        isBuilt = false;
+        QVERIFY(!run.reset() && !run.exists() && run.state() == ServedState::Ended);
+        QCOMPARE(run.endReason(), std::string("there is no run"));
+        const Status refused = run.hold("robot", true);
+        QVERIFY(!refused && refused.error().code == Code::SystemRefused);
+    }
+
+    void problemsAreSortedAndPlaced() {
+        SourceTable sources;
+        const FileId file = sources.add(std::make_shared<const SourceText>("a.sim", "one\n  two three\n"));
+        std::vector<Diagnostic> problems;
+        for (const auto& [severity, begin] : {std::pair{Severity::Hint, 0u}, {Severity::Error, 6u}, {Severity::Warning, 10u}})
+            problems.push_back(
+                {severity, Code::OutOfRange, "at " + std::to_string(begin), {file, {begin, begin + 3}}, {}, {}, {}});
+        problems.push_back({Severity::Error, Code::BadMass, "elsewhere", {}, {}, {}, {}});
+        const auto all = problemsJson(problems, sources);
+        QCOMPARE(all.size(), std::size_t(4));
+        const std::tuple<const char*, const char*, int, int> expected[] = {
+            {"error", "at 6", 2, 3}, {"error", "elsewhere", 0, 0}, {"warning", "at 10", 2, 7}, {"hint", "at 0", 1, 1}};
+        for (std::size_t i = 0; i < 4; ++i) {
+            const auto& [severity, message, line, column] = expected[i];
+            QVERIFY(all[i]["severity"] == severity && all[i]["message"] == message);
+            QVERIFY(all[i]["line"] == line && all[i]["column"] == column);
+            QVERIFY(all[i]["file"] == (line > 0 ? "a.sim" : ""));
+        }
+    }
 };
 
 QTEST_APPLESS_MAIN(ServedRunTest)

@@ -78,6 +78,34 @@ private Q_SLOTS:
         QVERIFY(std::abs(balance->margin + 0.1) < 1e-12);
     }
 
+    /// Off the middle of the world, to each side: how far from the edge, or beyond it.
+    void marginsHaveASignAndDigits_data() {
+        QTest::addColumn<Vec3>("load"); // m, of as much mass as the base, from its middle
+        QTest::addColumn<double>("margin");
+        QTest::addColumn<std::string>("text");
+        QTest::newRow("in the middle") << Vec3(0, 0, 0.3) << 0.1 << std::string("Stable: 100 mm to the edge");
+        QTest::newRow("towards +x") << Vec3(0.3, 0, 0.3) << 0.05 << std::string("Stable: 50 mm to the edge");
+        QTest::newRow("towards -y") << Vec3(0, -0.19, 0.3) << 0.005 << std::string("Stable: 5.0 mm to the edge");
+        QTest::newRow("beyond -x") << Vec3(-0.5, 0, 0.3) << -0.05 << std::string("Falls over: 50 mm beyond the edge");
+        QTest::newRow("beyond +y") << Vec3(0, 0.213, 0.3) << -0.0065 << std::string("Falls over: 6.5 mm beyond the edge");
+        QTest::newRow("beyond a corner") << Vec3(0.46, 0.28, 0.3) << -0.05 << std::string("Falls over: 50 mm beyond the edge");
+    }
+    void marginsHaveASignAndDigits() {
+        QFETCH(Vec3, load);
+        QFETCH(double, margin);
+        QFETCH(std::string, text);
+        const Vec3 at(3, -2, 1);
+        BodySpec top = boxBody(Vec3::Constant(0.1), at + load, 1), lamp = boxBody(Vec3::Constant(0.1), at - Vec3(0, 0, 0.5), 0);
+        lamp.geoms[0].collide = false; // lower, but it touches nothing
+        lamp.mass = {};
+        const auto balance = balanceOf(experimentOf({boxBody({0.4, 0.2, 0.1}, at, 1), top, lamp}));
+        QVERIFY(balance);
+        QVERIFY(std::abs(balance->level - 0.95) < 1e-12);
+        QVERIFY2(std::abs(balance->margin - margin) < 1e-9, qPrintable(QString::number(balance->margin)));
+        QCOMPARE(balance->isStable(), margin > 0);
+        QCOMPARE(balanceText(*balance), text);
+    }
+
     /// A box tips where its centre of mass is above its edge: tan = half of a side by half of the height.
     void aBoxTipsAboutItsEdges() {
         const auto balance = balanceOf(experimentOf({boxBody({0.4, 0.2, 0.6}, {1, 2, 0.3}, 1)}));

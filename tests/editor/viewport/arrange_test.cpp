@@ -251,6 +251,72 @@ private Q_SLOTS:
         QCOMPARE(dialog.findChild<QLabel*>(QStringLiteral("summary"))->text(), QStringLiteral("24 in all, with the 3 originals"));
     }
 
+    /// What is below one corner alone holds it.
+    void restsOnOneCorner_data() {
+        QTest::addColumn<QByteArray>("post");
+        QTest::addColumn<double>("height");
+        for (const char* place : {"0.46,0.3", "0.46,-0.3", "-0.46,0.3", "-0.46,-0.3"})
+            QTest::newRow(place) << QByteArray("Static post { Config=Post Pos=") + place + ",0 }\n" << 0.7;
+        QTest::newRow("in the middle") << QByteArray("Static post { Config=Post Pos=0,0,0 }\n") << 0.7;
+        QTest::newRow("beside it") << QByteArray("Static post { Config=Post Pos=0.6,0.3,0 }\n") << 0.;
+        QTest::newRow("two of unlike heights") << QByteArray("Static post { Config=Post Pos=0.46,0.3,0 }\n"
+                                                             "Static low { Config=Low Pos=-0.46,-0.3,0 }\n")
+                                               << 0.7;
+    }
+    void restsOnOneCorner() {
+        QFETCH(QByteArray, post);
+        QFETCH(double, height);
+        QVERIFY(m_window->open("StaticConfig Post { Box b { Size=0.1,0.1,0.7 Pos=0,0,0.35 } }\n"
+                               "StaticConfig Low { Box b { Size=0.1,0.1,0.2 Pos=0,0,0.1 } }\n"
+                               "StaticConfig Slab { Box b { Size=1,0.7,0.1 Pos=0,0,0.05 } }\n" +
+                               post + "Static slab { Config=Slab Pos=0,0,3 }\n"));
+        m_window->selection.select("slab");
+        dropToFloor(viewContext());
+        const auto& statics = m_window->document.loaded()->experiment->statics;
+        QVERIFY(std::abs(statics.back().pose.position.z() - height) < 1e-9);
+    }
+
+    /// The rows of a Grid are turned with its first member, and the others have their places in them.
+    void gridOfATurnedRobot() {
+        QVERIFY(m_window->open(QByteArray(kRoom).replace("Pos=-0.5,0,0 HPR=0,0,0", "Pos=-0.5,0.25,0 HPR=90,0,0")));
+        m_window->selection.select("robot0");
+        copyInRows(viewContext(), {{3, 2, 1}, {0.5, 0.75, 1}, true});
+        const auto& robots = m_window->document.loaded()->experiment->robots;
+        QCOMPARE(robots.size(), std::size_t(7));
+        QVERIFY((robots[0].pose.position - Vec3(-0.5, 0.25, 0)).norm() < 1e-6);
+        QVERIFY((robots[5].pose.position - Vec3(-0.5 - 0.75, 0.25 + 1, 0)).norm() < 1e-6);
+    }
+
+    void asManyCopiesAsAreMade() {
+        QVERIFY(m_window->open("StaticConfig Post { Box b { Size=0.1,0.1,0.7 } }\nStatic post { Config=Post }\n"));
+        m_window->selection.select("post");
+        copyInRows(viewContext(), {{401, 1, 1}, {1, 1, 1}, false});
+        QCOMPARE(m_window->refusals.size(), std::size_t(1));
+        copyInRows(viewContext(), {{20, 20, 1}, {1, 1, 1}, false});
+        QCOMPARE(m_window->refusals.size(), std::size_t(1));
+        QCOMPARE(m_window->document.loaded()->experiment->statics.size(), std::size_t(400));
+    }
+
+    /// A Grid has no third direction.
+    void dialogOfAGrid() {
+        ArrayDialog dialog({0.5, 0.6, 0.3}, 1, {});
+        const auto count = [&](const char* axis) {
+            return dialog.findChild<QSpinBox*>(QStringLiteral("count") + QLatin1String(axis));
+        };
+        const auto* spacing = dialog.findChild<QDoubleSpinBox*>(QStringLiteral("spacingZ"));
+        auto* asGrid = dialog.findChild<QCheckBox*>(QStringLiteral("asGrid"));
+        count("Z")->setValue(4);
+        QVERIFY(count("Z")->isEnabled() && spacing->isEnabled() && asGrid->isEnabled());
+        QCOMPARE(dialog.copy().count[2], 4);
+        asGrid->setChecked(true);
+        QVERIFY(!count("Z")->isEnabled() && !spacing->isEnabled());
+        QVERIFY(dialog.copy().asGrid && dialog.copy().count[2] == 1);
+        const ArrayDialog refused({0.5, 0.6, 0.3}, 1, QStringLiteral("no Grid of this"));
+        const auto* refusedGrid = refused.findChild<QCheckBox*>(QStringLiteral("asGrid"));
+        QVERIFY(!refusedGrid->isEnabled());
+        QCOMPARE(refusedGrid->toolTip(), QStringLiteral("no Grid of this"));
+    }
+
 private:
     const ViewContext& viewContext() { return m_window->view().context(); }
     std::unique_ptr<RenderService> m_render;

@@ -4,6 +4,7 @@
 
 #include <QtTest>
 
+#include "editor/document/structure_edits.h"
 #include "editor/viewport/context/view_settings.h"
 #include "editor/viewport/tools/floor_drawing.h"
 #include "editor/viewport/tools/floor_snap.h"
@@ -100,6 +101,82 @@ private Q_SLOTS:
             QCOMPARE(has(0, 0), !meet || x > 0);
             QCOMPARE(has(4, 0), !meet || x < 4);
         }
+    }
+
+    /// A corner on the last one is none; a new corner, the end of the tool and another document take away what was typed and drawn.
+    void cornersOfADrawing() {
+        ViewWindow window(nullptr);
+        QVERIFY(window.open(kYard));
+        const ViewContext& context = window.view().context();
+        FloorDrawing& drawing = context.drawing;
+        const auto begin = [&] {
+            context.settings.setTool(Tool::DrawWalls);
+            QVERIFY(drawing.begin());
+            drawing.add({1, 1});
+            QVERIFY(drawing.type(Qt::Key_5, QStringLiteral("5")));
+        };
+        begin();
+        QCOMPARE(drawing.typedLength(), std::optional(5.));
+        drawing.add({1, 1.00005});
+        QCOMPARE(drawing.corners().size(), std::size_t(1));
+        QVERIFY(drawing.typed().empty());
+        drawing.add({2, 1});
+        drawing.add({2, 3});
+        drawing.removeLast();
+        QCOMPARE(drawing.corners(), (std::vector<FloorPoint>{{1, 1}, {2, 1}}));
+        context.settings.setTool(Tool::Select);
+        QVERIFY(drawing.corners().empty());
+        begin();
+        drawing.clear();
+        QVERIFY(drawing.corners().empty() && drawing.typed().empty());
+        begin();
+        QVERIFY(window.open(kYard));
+        QVERIFY(drawing.corners().empty() && drawing.typed().empty());
+    }
+
+    void typedLengthsAndAngles_data() {
+        QTest::addColumn<QString>("length");
+        QTest::addColumn<QString>("angle");
+        QTest::addColumn<QList<double>>("numbers"); // 9999: none
+        QTest::newRow("plain") << QStringLiteral("2.5") << QStringLiteral("-90") << QList<double>{2.5, -90};
+        QTest::newRow("with units") << QStringLiteral("250 cm") << QStringLiteral("0.5 deg") << QList<double>{2.5, 0.5};
+        QTest::newRow("zero") << QStringLiteral("0") << QStringLiteral("0") << QList<double>{9999, 0};
+        QTest::newRow("the largest") << QStringLiteral("1000") << QStringLiteral("360") << QList<double>{1000, 360};
+        QTest::newRow("too large") << QStringLiteral("1001") << QStringLiteral("-361") << QList<double>{9999, 9999};
+        QTest::newRow("more than half a turn") << QStringLiteral("1") << QStringLiteral("-270") << QList<double>{1, -270};
+    }
+    void typedLengthsAndAngles() {
+        QFETCH(QString, length);
+        QFETCH(QString, angle);
+        QFETCH(QList<double>, numbers);
+        ViewWindow window(nullptr);
+        QVERIFY(window.open(kYard));
+        FloorDrawing& drawing = window.view().context().drawing;
+        for (const QChar c : length) QVERIFY(drawing.type(0, c));
+        QVERIFY(drawing.type(Qt::Key_Tab, {}));
+        for (const QChar c : angle) QVERIFY(drawing.type(0, c));
+        QCOMPARE(drawing.typedLength().value_or(9999), numbers[0]);
+        QCOMPARE(drawing.typedAngle().value_or(9999), numbers[1]);
+    }
+
+    /// Ends of walls are those of the present text, of slender upright boxes alone.
+    void endsFollowTheText() {
+        ViewWindow window(nullptr);
+        const QByteArray text = "StaticConfig Wall { Box w { Size=0.1,2,1 Pos=0,0,0.5 } }\n"
+                                "StaticConfig Post { Box w { Size=0.5,0.4,1 Pos=0,0,0.5 } }\n"
+                                "StaticConfig Plank { Box w { Size=0.1,2,1 Pos=0,0,0.5 HPR=0,50,0 } }\n"
+                                "Static post { Config=Post Pos=5,5,0 }\nStatic plank { Config=Plank Pos=-5,5,0 }\n"
+                                "Static wall { Config=Wall Pos=3,1,0 HPR=90,0,0 }\n";
+        QVERIFY(window.open(text));
+        const FloorDrawing& drawing = window.view().context().drawing;
+        const auto has = [&](double x, double y) {
+            return std::ranges::any_of(drawing.ends(),
+                                       [&](const FloorPoint& end) { return std::hypot(end[0] - x, end[1] - y) < 1e-9; });
+        };
+        QVERIFY(has(2, 1) && has(4, 1));
+        QCOMPARE(drawing.ends().size(), std::size_t(2));
+        QVERIFY(window.document.structure().setValues(QStringLiteral("Set"), {{"wall.Pos", "0,1,0"}}).ok());
+        QVERIFY(has(-1, 1) && has(1, 1) && !has(4, 1));
     }
 
 private:
