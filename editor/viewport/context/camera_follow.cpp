@@ -82,6 +82,7 @@ void CameraControl::lookThrough(const std::string& camera) {
     if (camera == m_through) return;
     if (!camera.empty() && !m_context.world.camera(camera)) return;
     m_glide.stop();
+    m_named.clear(); // it is not that View's any more
     if (m_through.empty()) m_beforeThrough = m_camera;
     if (camera.empty()) m_camera = m_beforeThrough;
     m_through = camera;

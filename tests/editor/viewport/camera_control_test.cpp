@@ -152,6 +152,9 @@ private Q_SLOTS:
         QVERIFY(!camera().isThrough());
         camera().showNamed("whole");
         QCOMPARE(camera().named(), std::string("whole"));
+        camera().lookThrough("one/left"); // leaves that View
+        QVERIFY(camera().isThrough() && camera().named().empty());
+        camera().showNamed("whole");
         camera().setKind(ViewKind::Perspective);
         QVERIFY(camera().named().empty());
     }
