@@ -89,7 +89,7 @@ private Q_SLOTS:
         panel.show();
         QCOMPARE(panel.source().fileName(), QStringLiteral("index.md"));
         QStringList found;
-        for (int i = 0; i < 60 && panel.findNext(QStringLiteral("skidfactor")); ++i) {
+        for (int i = 0; i < 6 && panel.findNext(QStringLiteral("skidfactor")); ++i) {
             QCOMPARE(panel.textCursor().selectedText().toLower(), QStringLiteral("skidfactor"));
             if (!found.contains(panel.source().fileName())) found += panel.source().fileName();
         }
