@@ -82,7 +82,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(chargers.taken(1).watts - 5 * all) < 1e-12);
         chargers.beginTick();
         QCOMPARE(chargers.taken(1).takers, 0u);
-        QCOMPARE(chargers.offered(10).amperes, most); // nobody else is there any more
+        QCOMPARE(chargers.offered(10).amperes, most); // the others are there no more
     }
 
     /// A battery takes no more than it was offered, and one that joins has its share in the next tick.

@@ -1,54 +1,12 @@
 // The order of the problems, stepping through them, and what the check of the robots is started with.
-#include <filesystem>
-#include <fstream>
-
-#include <QTemporaryDir>
 #include <QTest>
 #include <QTreeView>
 
-#include "editor/document/document.h"
-#include "editor/document/selection.h"
-#include "editor/problems/problems_model.h"
 #include "editor/problems/problems_panel.h"
 #include "editor/problems/robots_check.h"
+#include "editor/problems/rows_fixture.h"
 
 using namespace trundle;
-
-namespace {
-
-/// A document of an experiment in a folder of its own.
-struct RowsFixture {
-    QTemporaryDir folder;
-    std::unique_ptr<Application> application = makeApplication();
-    Document document{*application};
-    Selection selection;
-
-    [[nodiscard]] std::string path(const char* name) const {
-        return (std::filesystem::path(folder.path().toStdString()) / name).string();
-    }
-    bool open(const std::string& text) {
-        std::filesystem::create_directories(path("configs"));
-        std::ofstream(path("configs/main.sim"), std::ios::binary) << text;
-        return document.opening().open(path("configs/main.sim")).ok();
-    }
-};
-
-Diagnostic problem(const char* message, SourceRange range, Severity severity = Severity::Error) {
-    Diagnostic d;
-    d.severity = severity;
-    d.code = Code::OddInertia;
-    d.message = message;
-    d.range = range;
-    return d;
-}
-
-QByteArray messagesOf(const QAbstractItemModel& model) {
-    QStringList all;
-    for (int i = 0; i < model.rowCount(); ++i) all << model.index(i, ProblemsModel::Message).data().toString();
-    return all.join(QStringLiteral(", ")).toUtf8();
-}
-
-} // namespace
 
 class ProblemRowsTest : public QObject {
     Q_OBJECT

@@ -1,57 +1,15 @@
 // The rows of the list of problems: what is below a problem, the texts of the columns, and when the list is reset.
-#include <filesystem>
-#include <fstream>
-
 #include <QLabel>
 #include <QSignalSpy>
-#include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 #include <QTreeView>
 
-#include "editor/document/document.h"
-#include "editor/document/selection.h"
 #include "editor/problems/problem_icons.h"
-#include "editor/problems/problems_model.h"
 #include "editor/problems/problems_panel.h"
+#include "editor/problems/rows_fixture.h"
 
 using namespace trundle;
-
-namespace {
-
-/// A document of an experiment in a folder of its own.
-struct RowsFixture {
-    QTemporaryDir folder;
-    std::unique_ptr<Application> application = makeApplication();
-    Document document{*application};
-    Selection selection;
-
-    [[nodiscard]] std::string path(const char* name) const {
-        return (std::filesystem::path(folder.path().toStdString()) / name).string();
-    }
-    bool open(const std::string& text) {
-        std::filesystem::create_directories(path("configs"));
-        std::ofstream(path("configs/main.sim"), std::ios::binary) << text;
-        return document.opening().open(path("configs/main.sim")).ok();
-    }
-};
-
-Diagnostic problem(const char* message, SourceRange range, Severity severity = Severity::Error) {
-    Diagnostic d;
-    d.severity = severity;
-    d.code = Code::OddInertia;
-    d.message = message;
-    d.range = range;
-    return d;
-}
-
-QByteArray messagesOf(const QAbstractItemModel& model) {
-    QStringList all;
-    for (int i = 0; i < model.rowCount(); ++i) all << model.index(i, ProblemsModel::Message).data().toString();
-    return all.join(QStringLiteral(", ")).toUtf8();
-}
-
-} // namespace
 
 class ProblemsModelTest : public QObject {
     Q_OBJECT

@@ -103,7 +103,7 @@ private Q_SLOTS:
         }
     }
 
-    /// A corner on the last one is none; a new corner, the end of the tool and another document take away what was typed and drawn.
+    /// A corner on the last one does not count; a new corner, the end of the tool and another document remove what was typed and drawn.
     void cornersOfADrawing() {
         ViewWindow window(nullptr);
         QVERIFY(window.open(kYard));
