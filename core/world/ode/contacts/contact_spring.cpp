@@ -13,8 +13,11 @@ namespace {
 
 /// Of the ground's damping remains the sixth power of its share in the series: under 1 % of critical where a tick can follow the spring.
 constexpr double kLossPower = 6;
-constexpr double kBlowRest = 50;
+constexpr double kBlowRest = 50; // the speed before a blow by that after it, at least
 constexpr double kNoWork = 1e-9; // of the energy that goes back and forth
+
+/// N that both of the last two ticks had.
+double lastingLoad(const OdeContact& c) { return c.ticks < 2 ? 0 : std::min(c.load, c.earlier); }
 
 } // namespace
 
@@ -35,9 +38,6 @@ const OdeActor& ContactRows::stiffer(const OdeContact& c) const {
     const OdeActor& first = m_objects.actors[c.actor];
     return c.partner == kNoActor || m_objects.actors[c.partner].stiffness < first.stiffness ? first : m_objects.actors[c.partner];
 }
-
-/// N that both of the last two ticks had.
-double lastingLoad(const OdeContact& c) { return c.ticks < 2 ? 0 : std::min(c.load, c.earlier); }
 
 /// An actor's contacts are as stiff as its own weight needs. What lies on it presses them as well: that share more. A surface with Softness
 /// has the same spring all the time, as what a spring takes is what it gives back.
