@@ -8,7 +8,7 @@
 
 namespace trundle {
 
-class FakeWorld final : public World {
+class FakeWorld : public World {
 public:
     explicit FakeWorld(std::shared_ptr<const ExperimentSpec> experiment)
         : m_experiment(std::move(experiment)), m_layout(layoutOf(*m_experiment)), m_block(m_layout) {}

@@ -18,10 +18,10 @@ using namespace trundle;
 namespace {
 
 /// Robots with radios, all on channel 26 but that of "odd".
-class RadioWorld final : public World {
+class RadioWorld final : public FakeWorld {
 public:
     explicit RadioWorld(std::shared_ptr<const ExperimentSpec> experiment = experimentOf({"robot0", "robot1", "odd"}))
-        : m_inner(std::move(experiment)), m_medium(settings()) {
+        : FakeWorld(std::move(experiment)), m_medium(settings()) {
         int i = 0;
         for (const char* path : {"robot0/radio", "robot1/radio", "odd/radio"}) {
             RadioDefinition d;
@@ -34,22 +34,6 @@ public:
         }
         m_medium.setWalls([](RadioId, const Vec3&, RadioId, const Vec3&) { return 2; });
     }
-    const ExperimentSpec& experiment() const override { return m_inner.experiment(); }
-    const SignalLayout& layout() const override { return m_inner.layout(); }
-    SignalBlock& block() override { return m_inner.block(); }
-    const SignalBlock& block() const override { return std::as_const(m_inner).block(); }
-    Status tick() override { return m_inner.tick(); }
-    const Fault* fault() const override { return nullptr; }
-    std::uint64_t ticks() const override { return m_inner.ticks(); }
-    std::uint64_t stateHash() const override { return 0; }
-    Pose robotPose(std::size_t) const override { return {}; }
-    RobotEnergy robotEnergy(std::size_t) const override { return {}; }
-    const std::vector<WorldContact>& contacts() const override { return m_inner.touching; }
-    Status push(const std::string&, const Vec3&, const Vec3&) override { return {}; }
-    Status place(const std::string&, const Pose&) override { return {}; }
-    Status setSurface(const SurfaceSpec&) override { return {}; }
-    Status setProperty(const std::string&, const std::string&, const PropertyValue&) override { return {}; }
-    void setDeviceText(DeviceText) override {}
     Medium* medium() const override { return &m_medium; }
 
 private:
@@ -58,7 +42,6 @@ private:
         s.wallLoss = 1.5;
         return s;
     }
-    FakeWorld m_inner;
     mutable Medium m_medium;
 };
 

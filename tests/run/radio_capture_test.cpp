@@ -10,29 +10,12 @@ using namespace air;
 namespace {
 
 /// Robots with radios of the test.
-class AirWorld final : public World {
+class AirWorld final : public FakeWorld {
 public:
-    explicit AirWorld(const MediumSettings& settings) : m_inner(experimentOf({"a", "b", "c"})), m_medium(settings) {}
-    const ExperimentSpec& experiment() const override { return m_inner.experiment(); }
-    const SignalLayout& layout() const override { return m_inner.layout(); }
-    SignalBlock& block() override { return m_inner.block(); }
-    const SignalBlock& block() const override { return std::as_const(m_inner).block(); }
-    Status tick() override { return m_inner.tick(); }
-    const Fault* fault() const override { return nullptr; }
-    std::uint64_t ticks() const override { return m_inner.ticks(); }
-    std::uint64_t stateHash() const override { return 0; }
-    Pose robotPose(std::size_t) const override { return {}; }
-    RobotEnergy robotEnergy(std::size_t) const override { return {}; }
-    const std::vector<WorldContact>& contacts() const override { return m_inner.touching; }
-    Status push(const std::string&, const Vec3&, const Vec3&) override { return {}; }
-    Status place(const std::string&, const Pose&) override { return {}; }
-    Status setSurface(const SurfaceSpec&) override { return {}; }
-    Status setProperty(const std::string&, const std::string&, const PropertyValue&) override { return {}; }
-    void setDeviceText(DeviceText) override {}
+    explicit AirWorld(const MediumSettings& settings) : FakeWorld(experimentOf({"a", "b", "c"})), m_medium(settings) {}
     Medium* medium() const override { return &m_medium; }
 
 private:
-    FakeWorld m_inner;
     mutable Medium m_medium;
 };
 

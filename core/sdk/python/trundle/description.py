@@ -30,8 +30,9 @@ def _type_of(value):
 class field:
     """A property of the controller's block: speed = field("Speed", 0.3, metres_per_second().above(0), "When it drives.")
 
-    The default is in SI units and radians. Its type is that of the field: 1.0 is a number, 1 an integer, a tuple has a fixed number
-    of elements, a list any. A default of None means "not given"; `type` is then float, int, bool or str."""
+    The default is in SI units and radians. Its type is that of the field: 1.0 is a number, 1 an integer (in a unit such as ms or deg a
+    number, too), a tuple has a fixed number of elements, a list any. A default of None means "not given"; `type` is then float, int, bool
+    or str."""
 
     def __init__(self, name, default, quantity, help, type=None):
         if not isinstance(quantity, Quantity):
