@@ -70,7 +70,7 @@ const World kWorlds[] = {
      "  Gripper hand { Left=openLeft Right=openRight Force=10 }\n}\n"
      "RobotConfig Load { Body body { Box box { Size=0.04,0.1,0.06 Mass=0.5 Surface=rubber } } }\n"
      "Robot crane { Config=Crane }\nRobot load { Config=Load Pos=0.005,0.004,0.03 HPR=3,0,0 }\n",
-     "3", "907693610e3f949c"},
+     "3", "6037a5fb0bf7107a"},
     {"robots that crowd", nullptr, "Grid g { Config=SimpleRobot Count=6,5 Spacing=0.5 RandomDrive b { Speed=0.6 TurnRate=2 } }\n",
      "8", "bade3b0aa19bbce4"},
     {"robots that crowd, a crate and a ball, on wheels", nullptr,

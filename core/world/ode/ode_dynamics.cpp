@@ -37,7 +37,7 @@ void OdeDynamics::step(double h) {
     m_rotation.before(m_objects.bodies, m_impacts.touching(), h);
     m_drift.start(m_objects.bodies, m_contacts.all);
     solve(h);
-    m_pinned.after(m_objects.bodies);
+    m_pinned.after(m_objects.bodies, h);
     m_rotation.after(m_objects.bodies, h);
     moveAside(h);
 }
@@ -99,7 +99,7 @@ void OdeDynamics::followCones(double h) {
         const auto outside = m_cones.find(m_contacts, m_objects, m_rows, m_solver.before(), kOutside);
         if (outside.empty()) return;
         takeBack(outside, h);
-        m_solver.solveTaken(h);
+        m_solver.solveTaken(h, m_plan);
     }
 }
 
@@ -109,7 +109,7 @@ void OdeDynamics::limitSprings(double h) {
         const auto thrown = m_rows.findThrown(m_contacts, m_solver.before(), h);
         if (thrown.empty()) return;
         takeBack(thrown, h);
-        m_solver.solveTaken(h);
+        m_solver.solveTaken(h, m_plan);
     }
 }
 
@@ -119,7 +119,7 @@ void OdeDynamics::keepVelocities(double h) {
     auto stopped = m_stops.find();
     for (int i = 0; i < kMostVelocities && !(again.empty() && stopped.empty()); ++i) {
         takeBack(again, h, stopped);
-        m_solver.solveVelocities(h);
+        m_solver.solveVelocities(h, m_plan);
         again = m_cones.find(m_contacts, m_objects, m_rows, m_solver.before(), kOutside);
         stopped = {};
     }
@@ -131,7 +131,8 @@ void OdeDynamics::recordLargest() {
     if (m_settings.calls) // informed of all contacts where none joins bodies
         m_settings.calls->recordCluster(large ? m_plan.largest() : static_cast<std::uint32_t>(m_contacts.all.size()),
                                         large ? m_plan.largestName() : kNone);
-    if (large) m_largestExactCluster = std::max<std::size_t>(m_largestExactCluster, m_plan.largest());
+    if (large && m_settings.solver == SolverChoice::Exact)
+        m_largestExactCluster = std::max<std::size_t>(m_largestExactCluster, m_plan.largest());
 }
 
 /// Remembers what the contacts carried.

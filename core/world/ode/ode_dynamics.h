@@ -28,6 +28,7 @@ public:
     void forget(std::uint32_t actor);
 
     [[nodiscard]] const BodyRotation& rotation() const { return m_rotation; }
+    [[nodiscard]] const PinnedBodies& pinned() const { return m_pinned; }
     [[nodiscard]] const ClusterSolver& solver() const { return m_solver; }
     /// In contacts; counted above kExactClusterMax.
     [[nodiscard]] std::size_t largestExactCluster() const { return m_largestExactCluster; }

@@ -29,7 +29,10 @@ public:
     [[nodiscard]] Result<ActorHandles> addActor(const ActorDef& actor) override;
     [[nodiscard]] Result<GeomHandle> addStatic(const GeomSpec& geom, const Pose& pose) override;
     void setMotor(JointHandle joint, const MotorConstraint& row) override { m_rows.setMotor(joint.index, row); }
-    void addJointTorque(JointHandle joint, double torque) override { m_writes.addTorque(joint.index, torque); }
+    void addJointTorque(JointHandle joint, double torque) override {
+        m_writes.addTorque(joint.index, torque);
+        m_wrenches.give(joint.index, torque);
+    }
     void addForce(BodyHandle body, const Vec3& force, const Vec3& at) override { m_writes.addForce(body.index, force, at); }
     void setSurfaceVelocity(GeomHandle geom, const Vec3& velocity) override;
     void setSurface(std::size_t surface, const SurfaceSpec& values) override;
@@ -40,7 +43,9 @@ public:
     void findContacts() override;
     [[nodiscard]] std::optional<EngineFault> step(double h) override;
     [[nodiscard]] const BodyState& state(BodyHandle body) const override { return m_objects.states[body.index]; }
-    [[nodiscard]] JointWrench jointWrench(JointHandle joint) const override { return m_wrenches.of(joint.index); }
+    [[nodiscard]] JointWrench jointWrench(JointHandle joint) const override {
+        return m_wrenches.of(joint.index, m_dynamics.pinned());
+    }
     [[nodiscard]] CouplingState coupling(CouplingHandle c) const override { return m_objects.couplings[c.index].state; }
     [[nodiscard]] std::size_t contactCount() const override { return m_contacts.all.size(); }
     [[nodiscard]] EngineContact contact(std::size_t index) const override;

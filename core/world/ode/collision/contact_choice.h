@@ -21,6 +21,10 @@ using UsedPoints = std::array<bool, kMaxFound>;
 /// Brings the deepest point of the group, then always the one farthest from those chosen, to its front: at most `most`. Gives their number.
 [[nodiscard]] int spread(const dContactGeom* found, PointGroup& group, int count, int most);
 
+/// Brings the deepest point of the group, the one farthest from it, and up to two more that widen the area most to its front: at most
+/// `most`, or four. Gives their number; what lies in one line has two.
+[[nodiscard]] int spreadWidely(const dContactGeom* found, PointGroup& group, int count, int most);
+
 /// The deepest point that is not used yet, -1 for none. What lies on its side is used up with it; what is as deep shares in the normal.
 [[nodiscard]] int takeGround(const dContactGeom* found, int count, UsedPoints& used, Vec3& normal);
 

@@ -1,8 +1,16 @@
 #include "world/ode/collision/contact_search.h"
 
+#include <cmath>
 #include <utility>
 
 namespace trundle {
+
+namespace {
+
+constexpr double kSameWay = 1e-7; // less than 1 the cosine between normals that are the same
+constexpr double kSeam = 1e-6;    // m
+
+} // namespace
 
 void ContactSearch::placeGeoms(const OdeBody& body) {
     for (std::uint32_t i = body.geoms.begin; i < body.geoms.end; ++i) {
@@ -72,6 +80,7 @@ void ContactSearch::find(std::vector<OdeContact>& contacts) {
 
 void ContactSearch::collideWithScenery(std::uint32_t a, std::vector<OdeContact>& contacts) {
     const OdeActor& actor = m_objects.actors[a];
+    const std::size_t begin = contacts.size();
     for (std::uint32_t i = actor.geoms.begin; i < actor.geoms.end; ++i)
         for (const GroundPlane& plane : m_objects.planes) {
             const Vec3& n = plane.normal;
@@ -85,6 +94,60 @@ void ContactSearch::collideWithScenery(std::uint32_t a, std::vector<OdeContact>&
         for (const std::uint32_t found : m_found)
             if (m_objects.boxes[i].touches(m_objects.boxes[m_objects.statics[found]]))
                 m_collider.meet(i, m_objects.statics[found], contacts);
+    dropInnerEdges(contacts, begin);
+}
+
+/// How far a geom that does not move reaches that way, m, or a little farther.
+double ContactSearch::reachOf(std::uint32_t geom, const Vec3& way) const {
+    const OdeGeom& g = m_objects.geoms[geom];
+    if (g.shape == GeomShape::Plane) return HUGE_VAL;
+    if (g.shape == GeomShape::Box)
+        return way.dot(m_objects.centres[geom]) + (m_objects.axesOf(g).transpose() * way).cwiseAbs().dot(g.half);
+    const Box3& box = m_objects.boxes[geom];
+    double reach = 0;
+    for (int k = 0; k < 3; ++k) reach += way[k] * (way[k] > 0 ? box.hi : box.lo)[k];
+    return reach;
+}
+
+/// Whether a contact is on a side of its box, and not beside it.
+bool ContactSearch::isOnFace(const OdeContact& c) const {
+    const OdeGeom& g = m_objects.geoms[c.second];
+    if (g.shape == GeomShape::Plane) return true;
+    if (g.shape != GeomShape::Box) return false;
+    const Mat3 axes = m_objects.axesOf(g);
+    const Vec3 normal = (axes.transpose() * vec(c.normal)).cwiseAbs(),
+               beyond = (axes.transpose() * (vec(c.position) - m_objects.centres[c.second])).cwiseAbs() - g.half;
+    int along = 0;
+    if (normal.maxCoeff(&along) < 1 - kSameWay) return false;
+    for (int k = 0; k < 3; ++k)
+        if (k != along && beyond[k] > kSeam) return false;
+    return true;
+}
+
+/// Where what rolls touches a face, another geom that is not above this face cannot hinder it: its edge is a seam of a level floor. A contact
+/// there, which points aside or is too deep, would throw what rolls over it.
+void ContactSearch::dropInnerEdges(std::vector<OdeContact>& contacts, std::size_t begin) const {
+    const auto isSeam = [&](const OdeContact& edge) {
+        const GeomShape shape = m_objects.geoms[edge.first].shape;
+        if (shape != GeomShape::Sphere && shape != GeomShape::Capsule && shape != GeomShape::Cylinder) return false;
+        if (isOnFace(edge)) return false;
+        for (std::size_t i = begin; i < contacts.size(); ++i) {
+            const OdeContact& face = contacts[i];
+            const Vec3 normal = vec(face.normal);
+            if (face.first == edge.first && isOnFace(face) &&
+                reachOf(edge.second, normal) - normal.dot(vec(face.position)) < kSeam + face.depth)
+                return true;
+        }
+        return false;
+    };
+    if (contacts.size() < begin + 2) return;
+    m_seams.clear();
+    for (std::size_t i = begin; i < contacts.size(); ++i)
+        if (isSeam(contacts[i])) m_seams.push_back(i);
+    while (!m_seams.empty()) {
+        contacts.erase(contacts.begin() + static_cast<std::ptrdiff_t>(m_seams.back()));
+        m_seams.pop_back();
+    }
 }
 
 } // namespace trundle

@@ -30,6 +30,9 @@ private:
     void updateBoxes();
     [[nodiscard]] bool areBodiesApart(std::uint32_t firstGeom, std::uint32_t secondGeom) const;
     void collideWithScenery(std::uint32_t actor, std::vector<OdeContact>& contacts);
+    [[nodiscard]] double reachOf(std::uint32_t geom, const Vec3& way) const;
+    [[nodiscard]] bool isOnFace(const OdeContact& contact) const;
+    void dropInnerEdges(std::vector<OdeContact>& contacts, std::size_t begin) const;
 
     const EngineSettings& m_settings;
     OdeObjects& m_objects;
@@ -40,6 +43,7 @@ private:
     PairGrid m_pairGrid;
     std::vector<std::uint32_t> m_found, m_placed; ///< m_placed: actors, since the last step
     std::vector<IndexPair> m_pairs;
+    mutable std::vector<std::size_t> m_seams; ///< contacts that are dropped
 };
 
 } // namespace trundle

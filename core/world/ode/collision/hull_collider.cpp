@@ -24,7 +24,7 @@ std::vector<SurfaceContact> wellSpread(const std::vector<SurfaceContact>& contac
     int count = 0;
     const auto choose = [&] {
         for (int i = 0; i < count; ++i) group[static_cast<std::size_t>(i)] = i;
-        count = spread(found, group, count, most);
+        count = spreadWidely(found, group, count, most);
         std::array<const SurfaceContact*, kMaxFound> kept{};
         for (int i = 0; i < count; ++i)
             kept[static_cast<std::size_t>(i)] = from[static_cast<std::size_t>(group[static_cast<std::size_t>(i)])];

@@ -1,5 +1,8 @@
 #include "world/ode/joints/joint_wrenches.h"
 
+#include <utility>
+
+#include "world/ode/joints/axis_motor.h"
 #include "world/ode/objects/ode_math.h"
 
 namespace trundle {
@@ -15,8 +18,29 @@ template <class Use> void eachRow(const OdeJoint& joint, const Use& use) {
 
 } // namespace
 
+void JointWrenches::give(std::uint32_t joint, double effort) {
+    if (const auto found = m_joints.find(joint); found != m_joints.end()) found->second.given += effort;
+}
+
+void JointWrenches::prepare(const OdeJoint& joint, Measured& measured) const {
+    const OdeBody& child = m_objects.bodies[joint.child];
+    const OdeBody* parent = joint.parent == kNone ? nullptr : &m_objects.bodies[joint.parent];
+    const Vec3 anchor = parent ? Vec3(vec(parent->p) + turn(parent->r, joint.parentAnchor)) : joint.parentAnchor;
+    measured.lever = vec(child.p) - anchor;
+    measured.force = joint.dampForce;
+    measured.torque = turn(child.r, joint.childAnchor).cross(joint.dampForce);
+    const Vec3 given = std::exchange(measured.given, 0) * axisNow(joint, m_objects.bodies);
+    if (joint.type != JointType::Slider) {
+        measured.torque += given;
+        return;
+    }
+    measured.force += given;
+    if (parent) measured.torque += 0.5 * (vec(parent->p) - vec(child.p)).cross(given); // ODE's place of it is between the two
+}
+
 void JointWrenches::prepare() {
-    for (const std::uint32_t index : m_joints)
+    for (auto& [index, measured] : m_joints) {
+        prepare(m_objects.joints[index], measured);
         eachRow(m_objects.joints[index], [this](dJointID row) {
             if (dJointFeedback* known = dJointGetFeedback(row)) {
                 *known = {}; // ODE leaves it as it is where the row is off in this step
@@ -26,12 +50,15 @@ void JointWrenches::prepare() {
             *m_feedbacks.back() = {};
             dJointSetFeedback(row, m_feedbacks.back().get());
         });
+    }
 }
 
-JointWrench JointWrenches::of(std::uint32_t index) const {
+JointWrench JointWrenches::of(std::uint32_t index, const PinnedBodies& pinned) const {
     const OdeJoint& joint = m_objects.joints[index];
-    const Vec3 centre = vec(m_objects.bodies[joint.child].p);
-    JointWrench sum;
+    const auto found = m_joints.find(index);
+    if (found == m_joints.end()) return {};
+    const Measured& measured = found->second;
+    JointWrench sum{measured.force, measured.torque};
     eachRow(joint, [&](dJointID row) {
         const dJointFeedback* f = dJointGetFeedback(row);
         if (!f) return;
@@ -39,15 +66,13 @@ JointWrench JointWrenches::of(std::uint32_t index) const {
         sum.force += vec(first ? f->f1 : f->f2);
         sum.torque += vec(first ? f->t1 : f->t2);
     });
-    sum.force += joint.dampForce; // beside the rows
-    sum.torque += turn(m_objects.bodies[joint.child].r, joint.childAnchor).cross(joint.dampForce);
-    // ODE's torques are about the centre of mass of each body. The parent's anchor is the one that jointAnchor gives.
-    Vec3 anchor = joint.parentAnchor;
-    if (joint.parent != kNone) {
-        const OdeBody& parent = m_objects.bodies[joint.parent];
-        anchor = vec(parent.p) + turn(parent.r, joint.parentAnchor);
+    sum.torque += measured.lever.cross(sum.force); // ODE's torques are about the centre of mass of each body
+    const Vec3 chord = pinned.forceOfChord(joint.child);
+    sum.force += chord;
+    if (joint.type == JointType::Hinge) { // a free hinge and ball take no torque about what they are free to turn about
+        const Vec3 torque = measured.lever.cross(chord);
+        sum.torque += torque - joint.parentAxis.dot(torque) * joint.parentAxis;
     }
-    sum.torque += (centre - anchor).cross(sum.force);
     return sum;
 }
 

@@ -1,4 +1,5 @@
 #include "world/ode/lcp/box_solver.h"
+#include "world/ode/lcp/work.h"
 
 #include <algorithm>
 #include <cmath>
@@ -108,6 +109,7 @@ BoxSolver::Side BoxSolver::better(const BoxProblem& problem, unsigned rows, unsi
 /// Sides from a few sweeps, each of which solves one row after the other.
 void BoxSolver::guess(const BoxProblem& problem, unsigned rows, int sweeps) {
     for (unsigned i = 0; i < rows; ++i) m_x[i] = std::clamp(m_x[i], problem.low[i], problem.high[i]);
+    t_multiplications += std::uint64_t(sweeps) * rows * rows;
     for (int sweep = 0; sweep < sweeps; ++sweep)
         for (unsigned i = 0; i < rows; ++i) {
             const double* const matrix = problem.matrix + std::size_t(i) * problem.stride;

@@ -1,4 +1,5 @@
 #include "world/ode/lcp/row_solver.h"
+#include "world/ode/lcp/work.h"
 
 #include <algorithm>
 #include <bit>
@@ -251,6 +252,7 @@ bool RowSolver::followLoads(const IslandRows& island) {
 void RowSolver::sweep(const IslandRows& island) {
     const auto bounded = static_cast<unsigned>(m_bounded.size());
     double* const x = m_x.data() + m_begin;
+    t_multiplications += std::uint64_t(kLoadSweeps) * bounded * bounded;
     for (int round = 0; round < kLoadSweeps; ++round)
         for (unsigned i = 0; i < bounded; ++i) {
             const double* const row = m_rest.data() + std::size_t(i) * bounded;

@@ -1,4 +1,5 @@
 #include "world/ode/lcp/solve_dense.h"
+#include "world/ode/lcp/work.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,7 @@ constexpr double kLeastPivot = 1e-12; // of the largest value
 } // namespace
 
 bool solveDense(std::vector<double>& rows, unsigned count) {
+    t_multiplications += std::uint64_t(count) * count * count / 3;
     const unsigned width = count + 1;
     double largest = 0;
     for (const double x : rows) largest = std::max(largest, std::abs(x));

@@ -3,6 +3,7 @@
 // library; with any other way of linking ODE keeps its own solver, and a test says so.
 
 #include "world/ode/lcp/solve_lcp.h"
+#include "world/ode/lcp/work.h"
 
 #include <string_view>
 
@@ -23,6 +24,8 @@ namespace {
 
 using SolveLcp = decltype(dxSolveLCP);
 thread_local trundle::SolvedIslands t_solved;
+constexpr unsigned kRowsOfOde = 260; // so many it solves in some ten milliseconds
+thread_local bool t_onlyQuick = false, t_gaveUp = false;
 
 } // namespace
 
@@ -33,6 +36,11 @@ void dxSolveLCP(dxWorldProcessMemArena* arena, unsigned n, double* a, double* pa
     thread_local trundle::RowSolver solver;
     ++t_solved.count;
     if (!w && solver.solve({n, a, n > 1 ? trundle::TileMatrix::padded(n) : 1, pairslh, findex}, pairsbx)) return;
+    if (t_onlyQuick && n > kRowsOfOde) {
+        t_gaveUp = true;
+        return;
+    }
+    if (!w) trundle::t_multiplications += std::uint64_t(n) * n * n;
     ++t_solved.leftToOde;
     ofOde(arena, n, a, pairsbx, w, nub, pairslh, findex);
 }
@@ -40,5 +48,10 @@ void dxSolveLCP(dxWorldProcessMemArena* arena, unsigned n, double* a, double* pa
 namespace trundle {
 
 SolvedIslands solvedIslands() { return t_solved; }
+
+OnlyQuickIslands::OnlyQuickIslands() : m_before(t_multiplications) { t_onlyQuick = true, t_gaveUp = false; }
+OnlyQuickIslands::~OnlyQuickIslands() { t_onlyQuick = false; }
+bool OnlyQuickIslands::gaveUp() const { return t_gaveUp; }
+std::uint64_t OnlyQuickIslands::work() const { return t_multiplications - m_before; }
 
 } // namespace trundle

@@ -11,6 +11,22 @@ struct SolvedIslands {
     std::uint64_t leftToOde = 0; ///< those that ODE's own solver had to take
 };
 
+/// As long as it lives, a larger island of this thread that cannot be solved here is given up: its solution is nonsense. ODE's own solver
+/// would take a second for some hundred rows.
+class OnlyQuickIslands {
+public:
+    OnlyQuickIslands();
+    ~OnlyQuickIslands();
+    OnlyQuickIslands(const OnlyQuickIslands&) = delete;
+    OnlyQuickIslands& operator=(const OnlyQuickIslands&) = delete;
+    [[nodiscard]] bool gaveUp() const;
+    /// Multiplications since.
+    [[nodiscard]] std::uint64_t work() const;
+
+private:
+    std::uint64_t m_before;
+};
+
 /// Also has the linker take that file, which nothing else refers to.
 [[nodiscard]] SolvedIslands solvedIslands();
 

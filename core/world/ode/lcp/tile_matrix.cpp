@@ -1,4 +1,5 @@
 #include "world/ode/lcp/tile_matrix.h"
+#include "world/ode/lcp/work.h"
 
 #include <algorithm>
 #include <bit>
@@ -142,6 +143,11 @@ void TileMatrix::fillIn(unsigned eliminated) {
 
 bool TileMatrix::eliminate(unsigned rows) {
     if (!m_full) fillIn(rows / kTile);
+    for (unsigned row = 0; row < m_rows; ++row) {
+        std::uint64_t tiles = 0;
+        for (unsigned word = 0; word < m_words; ++word) tiles += std::popcount(m_filled[std::size_t(row) * m_words + word]);
+        t_multiplications += tiles * tiles * kTile * kArea;
+    }
     const Data data{m_tiles.data(), m_filled.data(), m_rows, m_words};
     return hasFours ? eliminateInFours(data, rows / kTile) : eliminateAnywhere(data, rows / kTile);
 }

@@ -19,6 +19,21 @@ bool isSteady(const Vec3& rate, const Vec3& momentum, double h) {
     return !(h * h * rate.cross(momentum).squaredNorm() > kSteady * kSteady * momentum.squaredNorm());
 }
 
+/// By body: a motor turns it about a hinge, or what it is fixed to. Its position is the integral of its rate.
+std::vector<bool> turnedByMotors(std::span<const OdeJoint> joints, std::size_t bodies) {
+    std::vector<bool> turned(bodies, false);
+    for (const OdeJoint& joint : joints)
+        if (joint.type == JointType::Hinge && joint.driven) turned[joint.child] = true;
+    for (bool more = true; more;) {
+        more = false;
+        for (const OdeJoint& joint : joints) {
+            if (joint.type != JointType::Fixed || joint.parent == kNone || turned[joint.child] == turned[joint.parent]) continue;
+            turned[joint.child] = turned[joint.parent] = more = true;
+        }
+    }
+    return turned;
+}
+
 } // namespace
 
 /// ODE keeps the rate while the inertia turns, so that the momentum changes: the torque is what would have kept it.
@@ -51,10 +66,12 @@ void BodyRotation::start(std::span<const OdeBody> bodies, std::span<const Mat3> 
     }
     for (std::uint32_t i = 0; i < bodies.size(); ++i)
         if (bodies[i].latched) hold(i, JointType::Fixed);
+    const std::vector<bool> turned = turnedByMotors(joints, bodies.size());
     m_held.clear();
     m_free.clear();
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-        if (!m_isHeld[i] || pinned.hold(i)) dBodySetFiniteRotationMode(bodies[i].id, 1); // by its whole angle, not by the tangent
+        if (!m_isHeld[i] || pinned.hold(i) || turned[i])
+            dBodySetFiniteRotationMode(bodies[i].id, 1); // by its whole angle, not by the tangent
         if (m_inertias[i].isRound() || pinned.turnFreely(i)) continue;
         if (m_isHeld[i]) m_held.emplace_back(Held{i, swivels[i]});
         else m_free.emplace_back().body = i;

@@ -51,6 +51,8 @@ void PinnedBodies::before(std::span<const OdeBody> bodies, std::span<const OdeJo
         const OdeBody& b = bodies[p.body];
         const OdeJoint& joint = joints[p.joint];
         p.active = !joint.driven;
+        p.velocity = vec(b.v);
+        p.forceOfChord.setZero();
         if (!p.active) continue;
         p.pin = joint.parentAnchor; // it moves with a robot that is placed
         const Vec3 lever = -turn(b.r, joint.childAnchor);
@@ -89,14 +91,22 @@ void PinnedBodies::turnOnHinge(Pinned& p, const OdeBody& b, const Vec3& axis, co
     dBodyAddTorque(b.id, extra.x(), extra.y(), extra.z());
 }
 
-/// What the tick added to the mean rate, it added to the momentum.
-void PinnedBodies::after(std::span<const OdeBody> bodies) const {
-    for (const Pinned& p : m_pinned) {
+Vec3 PinnedBodies::forceOfChord(std::uint32_t body) const {
+    const Pinned* p = find(body);
+    return p ? p->forceOfChord : Vec3(Vec3::Zero());
+}
+
+/// What the tick added to the mean rate, it added to the momentum. The change of the velocity from one tangent to the next is that of
+/// the middle of the tick.
+void PinnedBodies::after(std::span<const OdeBody> bodies, double h) {
+    for (Pinned& p : m_pinned) {
         if (!p.active) continue;
         const OdeBody& b = bodies[p.body];
         Vec3 w = vec(b.w);
         if (p.ball) w = p.inertia.rate(quat(b.q), p.momentum + p.inertia.momentum(p.start, w - p.mean));
         const Vec3 v = w.cross(vec(b.p) - p.pin);
+        const Vec3 change = v - p.velocity;
+        p.forceOfChord = p.mass / h * (v - vec(b.v) + turnedBy(-0.5 * h * p.mean) * change - change);
         dBodySetAngularVel(b.id, w.x(), w.y(), w.z());
         dBodySetLinearVel(b.id, v.x(), v.y(), v.z());
     }

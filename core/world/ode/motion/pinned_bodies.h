@@ -18,7 +18,10 @@ public:
     /// Before the solver: adds to the torques, and sets the rates at which these bodies will turn.
     void before(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints, double h, std::span<Vec3> rates);
     /// Once the solver has moved the bodies.
-    void after(std::span<const OdeBody> bodies) const;
+    void after(std::span<const OdeBody> bodies, double h);
+    /// What the joint did to the body in the last tick beside what its rows did, which move the body along a chord: a force at the
+    /// pin, N, with the body where it was before the tick. Zero for other bodies.
+    [[nodiscard]] Vec3 forceOfChord(std::uint32_t body) const;
     [[nodiscard]] bool hold(std::uint32_t body) const { return find(body) != nullptr; }
     /// Its rate at the end of a tick follows from its angular momentum.
     [[nodiscard]] bool turnFreely(std::uint32_t body) const { return find(body) && find(body)->ball; }
@@ -33,6 +36,7 @@ private:
         RotationalInertia inertia; ///< about the pin
         Quat start = Quat::Identity();
         Vec3 momentum = Vec3::Zero(), mean = Vec3::Zero();
+        Vec3 velocity = Vec3::Zero(), forceOfChord = Vec3::Zero(); ///< velocity: of its centre, before the tick
     };
     [[nodiscard]] const Pinned* find(std::uint32_t body) const;
     [[nodiscard]] Vec3 gravityAhead(const Pinned& p, const Vec3& lever, const Vec3& change, double h) const;

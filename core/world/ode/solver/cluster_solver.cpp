@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/rng.h"
+#include "world/ode/lcp/solve_lcp.h"
 #include "world/ode/objects/ode_fault.h"
 #include "world/ode/objects/ode_math.h"
 #include "world/ode/solver/random_order.h"
@@ -93,25 +94,41 @@ void ClusterSolver::stepExactly(double h, SolverPlan& plan) {
     save();
     m_world.share(m_objects.actors.size() >= kWorthSharing);
     BodyClusters& clusters = plan.clusters();
-    for (const std::uint32_t name : plan.iterated())
+    m_alone.clear();
+    std::ranges::set_union(plan.iterated(), plan.tried(), std::back_inserter(m_alone));
+    for (const std::uint32_t name : m_alone)
         for (const std::uint32_t body : clusters.bodies(name)) dBodyDisable(m_objects.bodies[body].id);
-    m_anyDisabled = !plan.iterated().empty();
+    m_anyDisabled = !m_alone.empty();
     if (!tryExactly(h)) {
         plan.findClusters(m_contacts.all, m_objects.geoms);
         m_names.clear();
-        std::ranges::set_difference(clusters.all(), plan.iterated(), std::back_inserter(m_names));
+        std::ranges::set_difference(clusters.all(), m_alone, std::back_inserter(m_names));
         disableAll();
-        for (const std::uint32_t name : m_names)
-            for (const std::uint32_t body : clusters.bodies(name)) restore(body);
+        for (const std::uint32_t name : m_names) restoreCluster(clusters, name);
         stepByThemselves(h, clusters, m_names);
     }
     repeatBent(h, plan);
-    for (const std::uint32_t name : plan.iterated()) {
+    for (const std::uint32_t name : m_alone) {
         disableAll();
-        iterate(h, clusters.bodies(name));
+        const bool tried = std::ranges::binary_search(plan.tried(), name) && !plan.isHard(name);
+        if (!tried || !tryLarge(h, plan, name)) iterate(h, clusters.bodies(name));
     }
     std::ranges::sort(m_quick);
     if (m_anyDisabled) enableAll();
+}
+
+/// A large pile exactly. All bodies are disabled before; after a failure as well, with those of the pile where they were.
+bool ClusterSolver::tryLarge(double h, SolverPlan& plan, std::uint32_t name) {
+    BodyClusters& clusters = plan.clusters();
+    enableOnly(clusters, std::span(&name, 1));
+    const OnlyQuickIslands quick;
+    const bool solved = tryExactly(h) && !quick.gaveUp();
+    plan.charge(name, quick.work());
+    if (solved) return true;
+    plan.markHard(name);
+    disableAll();
+    restoreCluster(clusters, name);
+    return false;
 }
 
 /// Halves the clusters until those are alone that cannot be solved. All bodies are disabled before and after.
@@ -124,8 +141,7 @@ void ClusterSolver::stepByThemselves(double h, BodyClusters& clusters, std::span
         const bool solved = tryExactly(h);
         disableAll();
         if (solved) continue;
-        for (const std::uint32_t name : part)
-            for (const std::uint32_t body : clusters.bodies(name)) restore(body);
+        for (const std::uint32_t name : part) restoreCluster(clusters, name);
         stepByThemselves(h, clusters, part);
     }
 }
@@ -176,8 +192,7 @@ void ClusterSolver::repeatBent(double h, SolverPlan& plan) {
         const bool solved = tryExactly(h);
         disableAll();
         if (solved) continue;
-        for (const std::uint32_t name : m_bent)
-            for (const std::uint32_t body : clusters.bodies(name)) restore(body);
+        for (const std::uint32_t name : m_bent) restoreCluster(clusters, name);
         stepByThemselves(h, clusters, m_bent);
     }
 }
@@ -200,18 +215,34 @@ void ClusterSolver::takeBack(SolverPlan& plan, std::span<const std::uint32_t> bo
     enableOnly(clusters, m_names);
 }
 
-void ClusterSolver::solveTaken(double h) {
-    if (!tryExactly(h))
-        for (const auto& [body, state] : m_taken) setRawState(m_objects.bodies[body], state);
+/// Solves what was taken back, cluster by cluster where it cannot be solved together, and names in m_unsolved those that cannot at all.
+void ClusterSolver::solveNames(double h, SolverPlan& plan) {
+    const auto isLarge = [&](std::uint32_t name) { return std::ranges::binary_search(plan.tried(), name); };
+    m_unsolved.clear();
+    if (std::ranges::none_of(m_names, isLarge) && tryExactly(h)) return;
+    disableAll();
+    for (const std::uint32_t name : m_names) restoreCluster(plan.clusters(), name);
+    for (const std::uint32_t name : m_names) {
+        enableOnly(plan.clusters(), std::span(&name, 1));
+        const bool solved = isLarge(name) ? tryLarge(h, plan, name) : tryExactly(h);
+        disableAll();
+        if (!solved) m_unsolved.push_back(name);
+    }
+}
+
+void ClusterSolver::solveTaken(double h, SolverPlan& plan) {
+    solveNames(h, plan);
+    for (const auto& [body, state] : m_taken)
+        if (std::ranges::binary_search(m_unsolved, plan.clusters().of(body))) setRawState(m_objects.bodies[body], state);
     enableAll();
 }
 
-void ClusterSolver::solveVelocities(double h) {
-    const bool solved = tryExactly(h);
+void ClusterSolver::solveVelocities(double h, SolverPlan& plan) {
+    solveNames(h, plan);
     for (const auto& [body, state] : m_taken) {
         const OdeBody& b = m_objects.bodies[body];
-        if (solved) m_aside.push_back({body, vec(state.v) - vec(b.v), vec(state.w) - vec(b.w)});
-        else setRawState(b, state);
+        if (std::ranges::binary_search(m_unsolved, plan.clusters().of(body))) setRawState(b, state);
+        else m_aside.push_back({body, vec(state.v) - vec(b.v), vec(state.w) - vec(b.w)});
     }
     enableAll();
 }
@@ -314,6 +345,10 @@ void ClusterSolver::save() {
 }
 
 void ClusterSolver::restore(std::uint32_t body) const { setRawState(m_objects.bodies[body], m_saved[body]); }
+
+void ClusterSolver::restoreCluster(BodyClusters& clusters, std::uint32_t name) const {
+    for (const std::uint32_t body : clusters.bodies(name)) restore(body);
+}
 
 void ClusterSolver::enableOnly(BodyClusters& clusters, std::span<const std::uint32_t> names) {
     m_world.share(names.size() >= kWorthSharing);

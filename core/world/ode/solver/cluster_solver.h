@@ -27,8 +27,8 @@ public:
     /// The clusters of these bodies are as they were before the step, until one of the next two solves them once more, with contact rows
     /// as they are then.
     void takeBack(SolverPlan& plan, std::span<const std::uint32_t> bodies);
-    void solveTaken(double h);
-    void solveVelocities(double h);
+    void solveTaken(double h, SolverPlan& plan);
+    void solveVelocities(double h, SolverPlan& plan);
     /// Of a body: what it moves faster than its velocity says.
     struct Aside {
         std::uint32_t body;
@@ -47,6 +47,8 @@ private:
     [[nodiscard]] bool tryExactly(double h);
     void stepAllQuickly(double h);
     void stepExactly(double h, SolverPlan& plan);
+    [[nodiscard]] bool tryLarge(double h, SolverPlan& plan, std::uint32_t name);
+    void solveNames(double h, SolverPlan& plan);
     void stepByThemselves(double h, BodyClusters& clusters, std::span<const std::uint32_t> names);
     void rescue(double h, BodyClusters& clusters, std::uint32_t name);
     void repeatBent(double h, SolverPlan& plan);
@@ -56,6 +58,7 @@ private:
     void seed() const;
     void save();
     void restore(std::uint32_t body) const;
+    void restoreCluster(BodyClusters& clusters, std::uint32_t name) const;
     void enableOnly(BodyClusters& clusters, std::span<const std::uint32_t> names);
     void disableAll();
     void enableAll();
@@ -72,7 +75,8 @@ private:
     std::vector<std::uint32_t> m_bent, m_stumbles;           ///< m_stumbles: by body, of clusters that it named
     std::vector<std::pair<std::uint32_t, RawState>> m_taken; ///< bodies, as solved before
     std::vector<Aside> m_aside;
-    std::vector<std::uint32_t> m_names;    ///< of clusters
+    // Of clusters, by name; m_alone: too large to be solved with the others.
+    std::vector<std::uint32_t> m_names, m_alone, m_unsolved;
     std::vector<RawState> m_whole, m_from; ///< of what is whipped: by the whole tick, before a short step
     std::vector<std::size_t> m_iterated;   ///< contacts; by these:
     std::vector<OdeContact> m_moved;

@@ -1,8 +1,8 @@
 #pragma once
 // Which solver takes what, tick by tick: each cluster by itself, so that a body without contacts is solved the same whatever happens
 // elsewhere. A robot with what it touches is exact. Robots that touch each other, and what stands on the floor beside them, push each
-// other through HeapForces, but for arms among up to three robots; what then still hangs together is exact if it is small, else
-// iterated in short steps.
+// other through HeapForces, but for arms among up to three robots; what then still hangs together is exact if it is small. A larger pile
+// of loose bodies is tried exactly, as most that rest can be; what cannot, and what is larger still, is iterated in short steps.
 
 #include <span>
 #include <vector>
@@ -21,8 +21,14 @@ public:
     void findClusters(std::span<const OdeContact> contacts, std::span<const OdeGeom> geoms);
 
     [[nodiscard]] BodyClusters& clusters() { return m_clusters; }
-    /// By cluster name, ascending.
+    // By cluster name, ascending:
     [[nodiscard]] std::span<const std::uint32_t> iterated() const { return m_iterated; }
+    [[nodiscard]] std::span<const std::uint32_t> tried() const { return m_tried; }
+    /// A cluster that could not be solved exactly is iterated for some ticks before it is tried again; so is one that was charged for more
+    /// multiplications than it is worth.
+    void markHard(std::uint32_t cluster) { m_hardUntil[cluster] = m_tick + kHardTicks; }
+    void charge(std::uint32_t cluster, std::uint64_t work);
+    [[nodiscard]] bool isHard(std::uint32_t cluster) const { return m_hardUntil[cluster] > m_tick; }
     [[nodiscard]] bool hasOutside() const { return m_hasOutside; }
     /// Contacts in the largest cluster of this tick that is solved exactly, and its name; 0 without contacts between bodies.
     [[nodiscard]] std::uint32_t largest() const { return m_largest; }
@@ -34,7 +40,10 @@ private:
     void findLargest(std::span<const OdeContact> contacts, std::span<const OdeGeom> geoms);
 
     BodyClusters m_clusters;
-    std::vector<std::uint32_t> m_iterated;
+    std::vector<std::uint32_t> m_iterated, m_tried;
+    static constexpr std::uint64_t kHardTicks = 20;
+    std::vector<std::uint64_t> m_hardUntil, m_owed; ///< by the body that names a cluster; m_hardUntil: tick
+    std::uint64_t m_tick = 0;
     std::vector<bool> m_stands;  ///< by group
     std::vector<bool> m_carries; ///< by body: itself or what it carries touches the floor
     std::vector<std::uint32_t> m_parents;
