@@ -121,14 +121,25 @@ Status checkSize(const QSize& size, std::uint64_t fewest) {
     return {};
 }
 
-HeightMap heightsOf(const QImage& grey) {
+/// Grey values as they are in the file, without a way through linear light, of which dark shades have too few; those of a coloured
+/// picture with the weights of qGray.
+HeightMap heightsOf(const QImage& picture) {
     HeightMap map;
-    map.columns = static_cast<std::uint32_t>(grey.width());
-    map.rows = static_cast<std::uint32_t>(grey.height());
+    map.columns = static_cast<std::uint32_t>(picture.width());
+    map.rows = static_cast<std::uint32_t>(picture.height());
     map.heights.reserve(std::size_t{map.columns} * map.rows);
-    for (int row = 0; row < grey.height(); ++row) {
-        const auto* line = reinterpret_cast<const quint16*>(grey.constScanLine(row));
-        for (int column = 0; column < grey.width(); ++column) map.heights.push_back(static_cast<float>(line[column] / 65535.0));
+    const bool grey = picture.format() == QImage::Format_Grayscale16;
+    for (int row = 0; row < picture.height(); ++row) {
+        const uchar* line = picture.constScanLine(row);
+        for (int column = 0; column < picture.width(); ++column) {
+            if (grey) {
+                map.heights.push_back(static_cast<float>(reinterpret_cast<const quint16*>(line)[column] / 65535.0));
+                continue;
+            }
+            const QRgba64 colour = reinterpret_cast<const QRgba64*>(line)[column];
+            map.heights.push_back(
+                static_cast<float>((colour.red() * 11 + colour.green() * 16 + colour.blue() * 5) / (32 * 65535.0)));
+        }
     }
     return map;
 }
@@ -208,12 +219,13 @@ Result<Raster> readColours(const std::string& content) {
 Result<HeightMap> readPictureFile(const std::string& path) {
     const Result<std::string> content = readRegularFile(path, kMaxFileBytes);
     if (!content) return content.error();
-    if (const auto deep = deepPgmIn(content.value())) return heightsOf(*deep);
+    if (const auto pgm = deepPgmIn(content.value())) return heightsOf(*pgm);
     const Result<QImage> picture = decoded(content.value(), kFewestHeights);
     if (!picture) return picture.error();
-    const QImage grey = picture.value().convertToFormat(QImage::Format_Grayscale16);
-    if (grey.isNull()) return failure("there is not enough memory for the picture");
-    return heightsOf(grey);
+    const bool isGrey = picture.value().format() == QImage::Format_Grayscale16;
+    const QImage deep = isGrey ? picture.value() : picture.value().convertToFormat(QImage::Format_RGBX64);
+    if (deep.isNull()) return failure("there is not enough memory for the picture");
+    return heightsOf(deep);
 }
 
 } // namespace trundle

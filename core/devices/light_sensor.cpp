@@ -1,11 +1,16 @@
 #include "devices/light_sensor.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 namespace trundle {
 
 namespace {
 
 constexpr double kLux = 1000;     // of a light of 1, as in a bright room
 constexpr double kFarthest = 1e4; // m: what is farther casts no shadow of the sun
+constexpr int kParts = 200;
 
 } // namespace
 
@@ -23,7 +28,24 @@ void LightSensor::describe(Describe<LightSensor>& d) {
     LightSensorSignals::describe(d);
 }
 
-void LightSensor::begin(Mount&) { time.set(-1); }
+void LightSensor::begin(Mount&) {
+    time.set(-1);
+    if (m_exponent == 1) return;
+    for (int i = 0; i < kParts; ++i) {
+        const double cosine = std::pow((i + 0.5) / kParts, 1 / (m_exponent + 1));
+        m_cotangents.push_back(cosine / std::sqrt(1 - cosine * cosine));
+    }
+}
+
+/// Of what it sees, weighed, the share above the horizon; `up`: the upward part of its axis. Method: of each cone about its axis the part
+/// that is above, summed over cones of equal weight.
+double LightSensor::shareFromAbove(double up) const {
+    if (m_cotangents.empty()) return (1 + up) / 2;
+    const double slope = up / std::sqrt(std::max(1 - up * up, 1e-18));
+    double sum = 0;
+    for (const double cotangent : m_cotangents) sum += std::acos(std::clamp(-cotangent * slope, -1.0, 1.0));
+    return sum / (std::numbers::pi * kParts);
+}
 
 double LightSensor::response(double cosine) const { return cosine > 0 ? std::pow(cosine, m_exponent) : 0; }
 
@@ -43,7 +65,8 @@ void LightSensor::measure(Sensing& world, std::vector<double>& reading) {
     for (std::size_t i = 0; i < m_lights.size(); ++i) {
         const TrundleLight& light = m_lights[i];
         if (light.type == TRUNDLE_SKY || light.type == TRUNDLE_GROUND) {
-            sum += light.light * wide * (1 + (light.type == TRUNDLE_SKY ? normal.z() : -normal.z())) / 2;
+            const double above = shareFromAbove(std::clamp(normal.z(), -1.0, 1.0));
+            sum += light.light * wide * (light.type == TRUNDLE_SKY ? above : 1 - above);
             continue;
         }
         const bool isLamp = light.type == TRUNDLE_LAMP;

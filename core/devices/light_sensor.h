@@ -15,6 +15,7 @@ private:
     void measure(Sensing& world, std::vector<double>& reading) override;
     void publish(std::span<const double> reading, double time) override;
     [[nodiscard]] double response(double cosine) const;
+    [[nodiscard]] double shareFromAbove(double up) const;
 
     double m_exponent = 1;
     double m_maxIlluminance = 1e5, m_noise = 0, m_noiseShare = 0, m_resolution = 0; ///< lx, lx, 1, lx
@@ -23,6 +24,7 @@ private:
     std::vector<TrundleBeam> m_beams; ///< of them
     std::vector<Ray> m_rays;          ///< towards those that cast shadows
     std::vector<double> m_shares, m_distances;
+    std::vector<double> m_cotangents; ///< of the angles from its axis of equal parts of what it sees; none: a flat surface
 };
 
 } // namespace trundle

@@ -71,7 +71,8 @@ LinkBudget LinkModel::between(const AntennaPose& from, const AntennaPose& to, do
 double LinkModel::range(double budget, double power) const {
     double most = budget - power + kMaxSigmas * m_settings.shadowing - freeSpaceLoss(1, m_lambda);
     if (m_settings.model == PropagationModel::TwoRay) most += kTwoRayGain;
-    const double exponent = m_settings.model == PropagationModel::LogDistance ? std::max(m_settings.exponent, 0.1) : 2;
+    const bool byExponent = m_settings.model == PropagationModel::LogDistance && most > 0; // to 1 m it is free space
+    const double exponent = byExponent ? std::max(m_settings.exponent, 0.1) : 2;
     const double far = std::pow(10, most / (10 * exponent));
     return std::max(far * (1 + 1e-9), kNearest * 1.001);
 }

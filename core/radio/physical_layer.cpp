@@ -157,8 +157,20 @@ void PhysicalLayer::arrive(std::uint32_t index, RadioId id) {
     Reception& mine = frame.receptions.back();
     if (mine.link.power < radio.definition.minReceivePower) close(frame, mine, ReceptionOutcome::TooWeak);
     else if (radio.sending || radio.state == MacState::Turnaround) close(frame, mine, ReceptionOutcome::Sending);
-    else if (m_settings.collisions && !radio.listening.empty()) close(frame, mine, ReceptionOutcome::Busy);
+    else if (m_settings.collisions && !radio.listening.empty() && !replaceWeaker(radio, mine))
+        close(frame, mine, ReceptionOutcome::Busy);
     else radio.listening.push_back({index, static_cast<std::uint32_t>(frame.receptions.size() - 1)});
+}
+
+/// Of frames that begin in the same microsecond a receiver follows the strongest: true if it gives up the one that it follows.
+bool PhysicalLayer::replaceWeaker(RadioState& radio, const Reception& reception) {
+    const ActiveReception& followed = radio.listening.front();
+    MacFrame& frame = m_frames[followed.frame];
+    Reception& other = frame.receptions[followed.reception];
+    if (frame.start != m_events.now() || !(other.link.power < reception.link.power)) return false;
+    close(frame, other, ReceptionOutcome::Busy);
+    radio.listening.clear();
+    return true;
 }
 
 /// Ends all receptions of a radio that starts to send: it is half-duplex.

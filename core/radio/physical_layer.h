@@ -50,6 +50,7 @@ private:
     void arriveEverywhere(std::uint32_t frame);
     void arrive(std::uint32_t frame, RadioId radio);
     void abortReception(RadioId radio);
+    [[nodiscard]] bool replaceWeaker(RadioState& radio, const Reception& reception);
     void updateActiveReceptions(RadioState& radio);
     void updateReception(const RadioState& radio, const MacFrame& frame, std::uint32_t index, Reception& reception);
     [[nodiscard]] ReceptionOutcome outcomeOf(const MacFrame& frame, const Reception& reception) const;

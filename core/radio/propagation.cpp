@@ -95,7 +95,7 @@ double twoRayLoss(const Vec3& a, const Vec3& b, double lambda, double permittivi
 }
 
 double logDistanceLoss(double distance, double lambda, double exponent) {
-    return freeSpaceLoss(1, lambda) + 10 * exponent * std::log10(std::max(distance, kNearest));
+    return freeSpaceLoss(std::min(distance, 1.0), lambda) + 10 * exponent * std::log10(std::max(distance, 1.0));
 }
 
 double shadowing(std::uint64_t seed, std::uint64_t pair, const Vec3& first, const Vec3& second, double correlation) {

@@ -79,11 +79,13 @@ Result<CameraImage> CameraImageRenderer::capture(const std::string& path, const 
     request.mask = kMaskSensor;
     request.samples = 1;
     request.capture = true;
+    request.floorLines = false; // a help for the eye, no property of the floor
     if (!model.seesSelf) request.hidden = {model.robot};
     request.poses = moment.poses;
 
     CameraImage frame;
     if (model.mode == CameraMode::Colour || model.mode == CameraMode::Grey) {
+        request.exposure = model.exposure;
         Result<Image> image = drawn(std::move(request));
         if (!image) return image.error();
         frame = applySensorModel(model, lens, std::move(image).value());

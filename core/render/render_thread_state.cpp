@@ -111,7 +111,7 @@ Result<RenderThreadState::RenderSetup> RenderThreadState::prepare(const PictureR
     if (!isUsable(view)) return refused("no picture can be taken from this view");
     const int wanted = rich && request.capture ? std::max(request.samples, kRichSamples) : request.samples;
     const int samples = data ? 1 : std::clamp(wanted, 1, m_mostSamples);
-    const Result<Target*> target = this->target({request.width, request.height, samples, data, rich});
+    const Result<Target*> target = this->target({request.width, request.height, samples, data, rich, request.exposure != 1});
     if (!target) return target.error();
     sceneState.value()->scene->setHidden(request.hidden);
     return RenderSetup{sceneState.value(), target.value(), view};
@@ -182,6 +182,7 @@ Result<Image> RenderThreadState::drawOnce(const PictureRequest& request, bool ri
     drawRequest.number = static_cast<unsigned>(++m_uses);
     drawRequest.scene = request.scene;
     drawRequest.floorLines = request.floorLines;
+    drawRequest.exposure = request.exposure;
     drawRequest.hidden = request.hidden;
     Result<Image> image = set.value().target->draw(scene, drawRequest);
     if (const Status whole = programs(); !whole) {

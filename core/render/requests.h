@@ -36,6 +36,7 @@ struct PictureRequest {
     bool yields = false;
     bool wireframe = false; ///< robots and statics as lines
     bool floorLines = true; ///< grid lines on floors that have no texture
+    double exposure = 1;    ///< factor on all light, before it is cut off at white
     SceneMarks marks;       ///< outlined objects; paths as in "robot0/chassis/hull"
     OutlineStyle outline;
     std::vector<std::string> hidden; ///< hidden objects, by the same paths

@@ -19,14 +19,6 @@ void mixed(const Image& image, LensMap::Source at, std::uint8_t* to) {
     for (int k = 0; k < 3; ++k) to[k] = toByte((1 - v) * ((1 - u) * a[k] + u * b[k]) + v * ((1 - u) * c[k] + u * d[k]));
 }
 
-/// Exposure acts on linear light; display values are its square root.
-void expose(double exposure, std::vector<std::uint8_t>& pixels) {
-    if (exposure == 1) return;
-    std::array<std::uint8_t, 256> shown{};
-    for (std::size_t i = 0; i < shown.size(); ++i) shown[i] = toByte(static_cast<double>(i) * std::sqrt(exposure));
-    for (std::uint8_t& value : pixels) value = shown[value];
-}
-
 void makeGrey(std::vector<std::uint8_t>& pixels) {
     for (std::size_t i = 0; i + 2 < pixels.size(); i += 3) {
         const std::uint32_t grey = (299u * pixels[i] + 587u * pixels[i + 1] + 114u * pixels[i + 2] + 500u) / 1000u;
@@ -67,7 +59,6 @@ CameraImage applySensorModel(const CameraModel& camera, const std::optional<Lens
     } else {
         frame.pixels = std::move(drawn.pixels);
     }
-    expose(camera.exposure, frame.pixels);
     if (camera.mode == CameraMode::Grey) makeGrey(frame.pixels);
     return frame;
 }

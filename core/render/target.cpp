@@ -8,7 +8,7 @@ namespace trundle {
 namespace {
 
 constexpr double kLeastNear = 0.01, kMaxNear = 2.0, kFar = 8000; // m
-constexpr GLenum kDataFormat = 0x8814;                           // four 32-bit floats per pixel
+constexpr GLenum kDataFormat = 0x8814, kDeepFormat = 0x881A;     // four floats per pixel, of 32 and of 16 bits
 
 const osg::Vec4 kClearColour{0.5f, 0.5f, 0.5f, 1};
 constexpr float kDataDetail = 16;  // the flat faces of a coarse sphere would falsify its depth
@@ -43,7 +43,7 @@ Target::Target(GraphicsContext& context, TargetShape shape)
 Result<std::unique_ptr<Target>> Target::create(GraphicsContext& context, TargetShape shape) {
     std::unique_ptr<Target> target(new Target(context, shape));
     if (const Status made = target->makeBuffers(); !made) return made.error();
-    if (!shape.rich && !shape.data && shape.samples == 1 && roundsEachDraw())
+    if (!shape.rich && !shape.data && !shape.deep && shape.samples == 1 && roundsEachDraw())
         target->m_backgrounds = std::make_unique<Backgrounds>(context, shape.width, shape.height);
     if (!shape.rich) return target;
     Result<std::unique_ptr<SkyMap>> sky = SkyMap::create(context, shape.width, shape.height);
@@ -63,15 +63,16 @@ Status Target::makeBuffers() {
         else ext.glRenderbufferStorage(GL_RENDERBUFFER_EXT, format, width, height);
         ext.glFramebufferRenderbuffer(GL_FRAMEBUFFER_EXT, attachment, GL_RENDERBUFFER_EXT, name);
     };
+    const GLenum colours = m_shape.data ? kDataFormat : m_shape.deep ? kDeepFormat : GL_RGBA8;
     ext.glGenFramebuffers(1, &m_frame);
     ext.glBindFramebuffer(GL_FRAMEBUFFER_EXT, m_frame);
-    buffer(m_colour, m_shape.data ? kDataFormat : GL_RGBA8, GL_COLOR_ATTACHMENT0, m_shape.samples);
+    buffer(m_colour, colours, GL_COLOR_ATTACHMENT0, m_shape.samples);
     buffer(m_depth, GL_DEPTH24_STENCIL8_EXT, GL_DEPTH_STENCIL_ATTACHMENT, m_shape.samples);
     bool whole = ext.glCheckFramebufferStatus(GL_FRAMEBUFFER_EXT) == GL_FRAMEBUFFER_COMPLETE_EXT;
     if (m_shape.samples > 1) {
         ext.glGenFramebuffers(1, &m_resolvedFrame);
         ext.glBindFramebuffer(GL_FRAMEBUFFER_EXT, m_resolvedFrame);
-        buffer(m_resolvedColour, GL_RGBA8, GL_COLOR_ATTACHMENT0, 1);
+        buffer(m_resolvedColour, colours, GL_COLOR_ATTACHMENT0, 1);
         whole = whole && ext.glCheckFramebufferStatus(GL_FRAMEBUFFER_EXT) == GL_FRAMEBUFFER_COMPLETE_EXT;
     }
     if (!whole || glGetError() != GL_NO_ERROR) {
@@ -153,7 +154,7 @@ Result<Image> Target::draw(Scene& scene, const DrawRequest& drawRequest) {
         m_view.draw({m_frame, scene.root(), mask, kClearColour, m_sky ? m_lit.get() : nullptr, drawRequest.number});
     }
     if (m_context.endedEarly()) return Error{Code::PictureFailed, {}};
-    Image image = readImage();
+    Image image = m_shape.deep ? readExposed(drawRequest.exposure) : readImage();
     if (scene.marks().getBound().valid()) {
         m_view.draw({m_frame, scene.marks(), ~0u, {0, 0, 0, 0}, nullptr, drawRequest.number});
         if (m_context.endedEarly()) return Error{Code::PictureFailed, {}}; // otherwise the image would lack the selection
@@ -208,6 +209,17 @@ Image Target::readImage() {
         for (std::size_t x = 0; x + 1 < width; ++x, from += kValues, to += 3) std::memcpy(to, from, 4);
         std::memcpy(to, from, 3);
     }
+    return image;
+}
+
+/// Exposure acts on linear light; display values are its square root.
+Image Target::readExposed(double exposure) {
+    const std::vector<float> values = rowsFromTop(readBack<float>(GL_FLOAT).get(), m_shape);
+    const auto gain = static_cast<float>(255 * std::sqrt(exposure));
+    Image image{m_shape.width, m_shape.height, {}};
+    image.pixels.reserve(values.size() / kValues * 3);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (i % kValues != 3) image.pixels.push_back(static_cast<std::uint8_t>(std::clamp(gain * values[i], 0.f, 255.f) + 0.5f));
     return image;
 }
 

@@ -19,6 +19,7 @@ struct TargetShape {
     int samples = 1;   ///< per pixel
     bool data = false; ///< depths and object numbers instead of colours
     bool rich = false; ///< rich look
+    bool deep = false; ///< colours beyond white are kept until the picture is exposed
     auto operator<=>(const TargetShape&) const = default;
 };
 
@@ -40,6 +41,7 @@ public:
         unsigned number = 0;
         SceneId scene = SceneId::None;
         bool floorLines = true;
+        double exposure = 1; ///< other than 1 only for a deep target
         std::vector<std::string> hidden;
     };
     /// Marked objects get an outline, drawn over any occluder.
@@ -56,6 +58,7 @@ private:
     /// Pixels in framebuffer layout, which is the fastest: four values per pixel, rows from the bottom.
     template <class Value> [[nodiscard]] std::unique_ptr<Value[]> readBack(GLenum type);
     [[nodiscard]] Image readImage();
+    [[nodiscard]] Image readExposed(double exposure);
 
     GraphicsContext& m_context;
     TargetShape m_shape;

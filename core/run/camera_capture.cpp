@@ -1,12 +1,16 @@
 #include "run/camera_capture.h"
 
+#include <algorithm>
+
 namespace trundle {
 
 CameraCapture::CameraCapture(const World& world, ImageSourceFactory maker) : m_world(world), m_maker(std::move(maker)) {
     for (const RobotSpec& robot : world.experiment().robots) {
         if (!robot.config) continue;
+        const bool mayBeOff =
+            std::ranges::find(robot.config->devices, "Battery", &ComponentSpec::kind) != robot.config->devices.end();
         for (const ComponentSpec& device : robot.config->devices) {
-            if (device.kind != "Camera" || !(device.number("UpdatePeriod") > 0)) continue;
+            if (device.kind != "Camera" || !(device.number("UpdatePeriod") > 0 || mayBeOff)) continue;
             const std::string path = robot.name + "/" + device.name;
             if (const auto frame = world.layout().find(path + "/frame")) m_streams[path].frameSlot = frame->offset;
         }
@@ -21,7 +25,7 @@ void CameraCapture::afterTick() {
         const double frame = m_world.block().slots()[stream.frameSlot];
         if (frame == stream.frame) continue;
         if (!now) {
-            now = std::make_shared<SignalBlock>(m_world.layout());
+            now = stream.then.use_count() == 1 ? stream.then : std::make_shared<SignalBlock>(m_world.layout());
             now->copyFrom(m_world.block());
         }
         stream.frame = frame;

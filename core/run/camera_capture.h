@@ -41,7 +41,7 @@ private:
     struct Stream {
         std::uint32_t frameSlot = 0;
         double frame = -1;                       ///< number of the image
-        std::shared_ptr<const SignalBlock> then; ///< the state that it shows; shared by all cameras of one tick
+        std::shared_ptr<SignalBlock> then;       ///< the state that it shows; shared by all cameras of one tick
     };
     [[nodiscard]] Result<ImageSource*> source();
 

@@ -204,6 +204,19 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < wanted.size(); ++i) QVERIFY(std::fabs(map.value()->heights[i] - wanted[i]) < 1e-3);
     }
 
+    /// Every grey value counts as much in a coloured picture as in a grey one.
+    void everyGreyIsItsHeight() {
+        QImage picture(256, 2, QImage::Format_RGB32);
+        for (int x = 0; x < 256; ++x)
+            for (int y = 0; y < 2; ++y) picture.setPixel(x, y, qRgb(x, x, x));
+        for (const char* name : {"ramp.png", "ramp.bmp"}) {
+            QVERIFY(picture.save(m_folder->filePath(name)));
+            const auto map = m_reader->heightMap(m_folder->filePath(name).toStdString());
+            QVERIFY2(map.ok(), map.ok() ? "" : map.error().message.c_str());
+            for (std::size_t x = 0; x < 256; ++x) QVERIFY(std::fabs(map.value()->heights[x] - x / 255.0) < 1e-6);
+        }
+    }
+
     /// Heights of a PGM file with more than 8 bits, which are not those of its upper 8; comments and spaces as the format has them.
     void heightsOf16Bits_data() {
         QTest::addColumn<QByteArray>("content");

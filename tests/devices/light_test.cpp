@@ -98,6 +98,28 @@ private Q_SLOTS:
                 1000 * sky); // from everywhere, less
     }
 
+    /// Of sky and ground a narrow sensor sees what is ahead. Expected: integrals over the half sphere, by points on it.
+    void aNarrowSensorDividesSkyAndGround() {
+        const double sky = luminance(0.36, 0.395, 0.45), ground = luminance(0.19, 0.185, 0.18);
+        for (const auto& [exponent, up] : {std::pair(4., 30.), {20., 30.}, {100., 10.}, {100., -3.}, {0.5, -50.}, {3., 90.}}) {
+            double all = 0, above = 0;
+            const double tilt = up * kPi / 180;
+            for (int i = 0; i < 4000; ++i)
+                for (int k = 0; k < 200; ++k) {
+                    const double cosine = (i + 0.5) / 4000, round = 2 * kPi * (k + 0.5) / 200;
+                    const double height =
+                        cosine * std::sin(tilt) + std::sqrt(1 - cosine * cosine) * std::cos(tilt) * std::cos(round);
+                    const double weight = std::pow(cosine, exponent);
+                    all += weight;
+                    if (height > 0) above += weight;
+                }
+            const double share = above / all, expected = 1000 * 2 / (exponent + 1) * (share * sky + (1 - share) * ground);
+            const QString hpr = QStringLiteral("20,%1,0").arg(-up), fields = QStringLiteral("Exponent=%1").arg(exponent);
+            const double shown = read(seeing("Light s { Intensity=0 }", hpr.toStdString(), fields.toStdString()));
+            QVERIFY2(std::abs(shown / expected - 1) < 0.006, qPrintable(QStringLiteral("%1 of %2").arg(shown).arg(expected)));
+        }
+    }
+
     void limitsAndResolution() {
         const std::string lamp = "Light lamp { Mode=lamp Pos=1,0,0 }\n";
         QCOMPARE(read(seeing(kDark + lamp, "0,0,0", "MaxIlluminance=400")), 400.);

@@ -55,6 +55,44 @@ private Q_SLOTS:
         QVERIFY(rangeOf(ground) > 1.99 * rangeOf(ideal)); // two rays in phase: twice the field
     }
 
+    /// To 1 m it is free space, whatever the exponent; so is the range of weak senders.
+    void theExponentActsBeyondAMetre() {
+        for (const double exponent : {0.5, 2., 4., 6.}) {
+            MediumSettings settings;
+            settings.model = PropagationModel::LogDistance;
+            settings.exponent = exponent;
+            const double lambda = wavelength(settings.frequency);
+            for (const double distance : {0.05, 0.1, 0.3, 0.999})
+                QVERIFY(std::abs(logDistanceLoss(distance, lambda, exponent) - freeSpaceLoss(distance, lambda)) < 1e-9);
+            QVERIFY(std::abs(logDistanceLoss(10, lambda, exponent) - freeSpaceLoss(1, lambda) - 10 * exponent) < 1e-9);
+            for (const double distance : {0.3, 0.8, 1.3, 20.}) {
+                const double loss = logDistanceLoss(distance, lambda, exponent);
+                QVERIFY(std::abs(LinkModel(settings).range(0, -loss) / distance - 1) < 1e-6);
+            }
+        }
+    }
+
+    /// Of frames that begin in the same microsecond a radio follows the strongest, in whatever order they were sent.
+    void theStrongestOfSimultaneousFramesIsFollowed() {
+        for (const std::vector<double>& places : {std::vector<double>{1, 4, 9}, {4, 1, 9}, {9, 4, 1}}) {
+            MediumSettings settings;
+            settings.collisions = true;
+            Medium medium(settings);
+            const RadioId ear = open(medium, "ear", {0, 0, 0});
+            std::vector<RadioId> senders;
+            for (std::size_t i = 0; i < places.size(); ++i)
+                senders.push_back(open(medium, "sender" + std::to_string(i), {places[i], 0, 0}));
+            for (const RadioId sender : senders) send(medium, sender, 5 + sender);
+            medium.advance(10000);
+            QCOMPARE(medium.pending(ear), std::size_t{1});
+            RadioPacket packet;
+            QVERIFY(medium.receive(ear, packet));
+            const auto nearest = static_cast<std::size_t>(std::ranges::min_element(places) - places.begin());
+            QCOMPARE(packet.from, medium.radio(senders[nearest]).address);
+            QVERIFY(isConserved(medium));
+        }
+    }
+
     /// The ground's permittivity is that of the settings.
     void theGroundReflectsAsItIs() {
         for (const double permittivity : {0., 3., 15., 60.}) {

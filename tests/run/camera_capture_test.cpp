@@ -19,8 +19,15 @@ std::shared_ptr<const ExperimentSpec> robotWithCameras() {
     stream.name = "stream";
     stream.values["UpdatePeriod"] = {{PropertyType::Number, {0.03}, {}}, {}, Origin::Config};
     config->devices = {still, stream};
+    auto powered = std::make_shared<RobotConfigSpec>();
+    ComponentSpec battery;
+    battery.kind = "Battery";
+    battery.name = "battery";
+    powered->devices = {still, battery};
     auto experiment = std::make_shared<ExperimentSpec>();
-    experiment->robots.resize(1);
+    experiment->robots.resize(2);
+    experiment->robots[1].name = "robot1";
+    experiment->robots[1].config = powered;
     experiment->robots[0].name = "robot0";
     experiment->robots[0].config = config;
     return experiment;
@@ -34,6 +41,8 @@ public:
         m_layout.add("place", "m", SignalType::Real, SignalDirection::Truth);
         m_layout.add("still/frame", "", SignalType::Integer, SignalDirection::Output); // not used: it has no period
         m_frame = m_layout.add("stream/frame", "", SignalType::Integer, SignalDirection::Output);
+        m_layout.beginRobot("robot1");
+        m_poweredFrame = m_layout.add("still/frame", "", SignalType::Integer, SignalDirection::Output);
         m_block = std::make_unique<SignalBlock>(m_layout);
     }
     const ExperimentSpec& experiment() const override { return *m_experiment; }
@@ -43,6 +52,7 @@ public:
     Status tick() override {
         ++m_block->header().tick;
         valuesOf(*m_block)[0] = static_cast<double>(m_block->header().tick);
+        if (hasPower) ++valuesOf(*m_block)[m_poweredFrame];
         valuesOf(*m_block)[m_frame] = std::floor(static_cast<double>(m_block->header().tick) / 3);
         return {};
     }
@@ -57,12 +67,13 @@ public:
     Status setSurface(const SurfaceSpec&) override { return {}; }
     Status setProperty(const std::string&, const std::string&, const PropertyValue&) override { return {}; }
     void setDeviceText(DeviceText) override {}
+    bool hasPower = true;
 
 private:
     std::shared_ptr<const ExperimentSpec> m_experiment;
     SignalLayout m_layout;
     std::unique_ptr<SignalBlock> m_block;
-    std::uint32_t m_frame = 0;
+    std::uint32_t m_frame = 0, m_poweredFrame = 0;
     std::vector<WorldContact> m_contacts;
 };
 
@@ -111,6 +122,19 @@ private Q_SLOTS:
         ticks(1);
         QVERIFY(m_cameraCapture->capture("robot0/still").ok());
         QCOMPARE(m_story, std::string("made robot0/still@1 robot0/still@2 "));
+    }
+    /// A camera without a period, of a robot with a battery: once that is empty, the last picture that it had power for stays.
+    void withoutPowerThereIsNoNewPicture() {
+        QVERIFY(m_cameraCapture->capture("robot1/still").ok());
+        ticks(4);
+        QCOMPARE(m_cameraCapture->capture("robot1/still").value()->tick, std::uint64_t(4));
+        m_world->hasPower = false;
+        ticks(3);
+        QCOMPARE(m_cameraCapture->capture("robot1/still").value()->tick, std::uint64_t(4));
+        QCOMPARE(m_cameraCapture->capture("robot0/still").value()->tick, std::uint64_t(7));
+        m_world->hasPower = true;
+        ticks(2);
+        QCOMPARE(m_cameraCapture->capture("robot1/still").value()->tick, std::uint64_t(9));
     }
     void aStreamShowsTheTickItCameTo() {
         QVERIFY(m_cameraCapture->capture("robot0/stream").ok());

@@ -73,6 +73,27 @@ private Q_SLOTS:
         QVERIFY2(drawn.triangles >= 24 * 49 && drawn.triangles <= most * 49, qPrintable(QString::number(drawn.triangles / 49.0)));
     }
 
+    /// Walls around the eye: their size on the screen is infinite, of the whole static as of all levels of detail.
+    void whatIsAroundTheEyeIsDrawn() {
+        const auto experiment = sampleExperiment({1, 0.7, true, 4});
+        Scene scene(*experiment);
+        scene.makeData(*experiment);
+        for (const double aside : {0.0, 1e-9, 1e-3, 0.1}) {
+            CameraView view;
+            view.eye = {aside, 0.3, 0.2};
+            view.target = {aside + 1, 0.3, 0.2};
+            view.fieldOfView = 60 * std::numbers::pi / 180;
+            for (const std::uint32_t mask : {kMaskStatics, kMaskData})
+                QVERIFY(drawnOf(scene, view, 320, 240, mask).triangles > 0);
+        }
+        CameraView ahead = aboveTheCrowd(); // the robot's middle in the plane of the eye
+        ahead.eye = {0, 0.4, 0.1};
+        ahead.target = {1, 0.4, 0.1};
+        ahead.fieldOfView = 160 * std::numbers::pi / 180;
+        QVERIFY(drawnOf(scene, ahead, 320, 240, kMaskRobots).triangles > 0 ||
+                drawnOf(scene, ahead, 320, 240, kMaskRobots).draws == 0);
+    }
+
     /// At any distance; a point casts no shadow.
     void drawsTinyObjectsAsPoints() {
         const auto experiment = sampleExperiment({49, 0.7, true, 6});

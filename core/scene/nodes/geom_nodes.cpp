@@ -29,13 +29,24 @@ struct Casting : osg::Referenced {
     bool openOnes; ///< without the convex ones
 };
 
+/// The finest level also where the middle is in the plane of the eye, where the size on the screen is infinite: no range has that.
+class DetailLevels final : public osg::LOD {
+public:
+    DetailLevels() { setRangeMode(PIXEL_SIZE_ON_SCREEN); }
+    void traverse(osg::NodeVisitor& visitor) override {
+        osg::CullStack* view = visitor.asCullStack();
+        const bool byPlace = view && visitor.getTraversalMode() == osg::NodeVisitor::TRAVERSE_ACTIVE_CHILDREN;
+        if (byPlace && !(view->clampedPixelSize(getBound()) / view->getLODScale() < kAnyPixels)) getChild(0)->accept(visitor);
+        else osg::LOD::traverse(visitor);
+    }
+};
+
 /// All levels of detail from one on; null if `make` gives nothing.
 template <class Make> osg::ref_ptr<osg::LOD> detailOf(std::size_t first, Make make) {
     const osg::ref_ptr<osg::Geometry> fine = make({kDegrees[first].segments, kDegrees[first].bevel});
     if (!fine) return nullptr;
     const double across = 2 * fine->getBound().radius();
-    osg::ref_ptr<osg::LOD> detail = new osg::LOD;
-    detail->setRangeMode(osg::LOD::PIXEL_SIZE_ON_SCREEN);
+    osg::ref_ptr<osg::LOD> detail = new DetailLevels;
     for (std::size_t i = first; i < kDegrees.size(); ++i) {
         const Degree& degree = kDegrees[i];
         const float least = i + 1 < kDegrees.size() ? kDegrees[i + 1].pixels : 0;
@@ -193,8 +204,7 @@ std::optional<std::uint32_t> geomNamed(const osg::Group& geomNode, std::string_v
 osg::ref_ptr<osg::Group> partOf(const osg::Group& geomNode, const std::function<bool(std::uint32_t)>& keep) {
     osg::ref_ptr<osg::Group> part;
     if (const auto* detail = dynamic_cast<const osg::LOD*>(&geomNode)) {
-        osg::ref_ptr<osg::LOD> copy = new osg::LOD;
-        copy->setRangeMode(detail->getRangeMode());
+        osg::ref_ptr<osg::LOD> copy = new DetailLevels;
         copy->setRangeList(detail->getRangeList());
         part = copy;
     } else if (const auto* node = dynamic_cast<const GeomNode*>(&geomNode); node && node->caster) {

@@ -39,7 +39,10 @@ void Lighting::applyTo(osg::StateSet& root) const {
     const Lighting usual;
     root.addUniform(new osg::Uniform("sunGlow", osg::Vec3(0.10f, 0.085f, 0.06f) * share(sunLight, usual.sunLight)));
     root.addUniform(new osg::Uniform("skyBelow", osg::Vec3(0.47f, 0.49f, 0.51f) * share(horizon, usual.horizon)));
+    // What bodies reflect of the sky low down fades with the light of the sky, which may be less than its colour says.
+    osg::Vec3 horizonShine = osg::componentMultiply(horizon, horizon) * share(skyLight, usual.skyLight);
     for (const auto& [name, value] : {std::pair{"sunWay", sun},
+                                      {"horizonShine", horizonShine},
                                       {"sunLight", sunLight},
                                       {"skyLight", skyLight},
                                       {"groundLight", groundLight},

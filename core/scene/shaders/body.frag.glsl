@@ -35,7 +35,7 @@ void main() {
     rim *= rim;
     float sheen = (shine.x + shine.y * rim * rim) * min(1.0 + n.z, 1.0);
     float up = clamp((2.0 * toEye * n.z - v.z) * 1.6667 + 0.41667, 0.0, 1.0);
-    light += sheen * mix(groundLight, horizonColour * horizonColour, up * up * (3.0 - 2.0 * up));
+    light += sheen * mix(groundLight, horizonShine, up * up * (3.0 - 2.0 * up));
     // The sun, by how far the normal is from the middle between its way and the eye's.
     float spread = (toSun + toEye) * inversesqrt(max(2.0 + 2.0 * dot(sunWay, v), 1e-4));
     light += sunLight * (shine.z * sun * exp2(shine.w * (spread - 1.0)));

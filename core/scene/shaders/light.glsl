@@ -1,7 +1,7 @@
 // Shading by the values of Lighting and LedLights. The numbers of lamps and Leds are compiled in: in software rendering even a loop
 // with no iterations doubles the cost per pixel.
 #pragma import_defines(LAMPS, LEDS, LED_BEAMS, SUN_MAP, SKY_MAP)
-uniform vec3 sunWay, sunLight, skyLight, groundLight, horizonColour, zenithColour;
+uniform vec3 sunWay, sunLight, skyLight, groundLight, horizonColour, zenithColour, horizonShine;
 // What a lamp adds to a matt surface; `way` leads to it.
 vec3 lampOn(vec3 light, vec3 way, vec3 n) {
     float square = max(dot(way, way), 1.0e-4);

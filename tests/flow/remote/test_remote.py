@@ -306,6 +306,50 @@ class SimulationTest(unittest.TestCase):
             self.assertTrue(any(severity == "error" or "Aborted" in text for _, severity, text in lines), lines)
             self.assertTrue(any(who == "other" for who, _, _ in lines), lines)
 
+    def test_a_restart_reads_the_file_again(self):
+        """Also after an exception, which leaves the process as it was. The other robot of the file keeps its code."""
+        def mine(update, field="1.0"):
+            write("parts.py", f"def update(controller):\n    {update}\n")
+            write("mine.py", "import trundle\nimport parts\n\n\nclass Mine(trundle.Controller):\n    "
+                  f"speed = trundle.field('Speed', {field}, trundle.number(), 'x')\n    count = trundle.output('count', '', 'x')\n\n"
+                  "    def update(self, since_last):\n        parts.update(self)\n")
+
+        mine("controller.count += controller.speed if controller.speed == 2 else 1 / 0")
+        path = write("restarted.sim", TWO + "#loadModule mine.py\nRobot bad { Config=SimpleRobot Pos=0,-2,0 Mine brain { } }\n"
+                     "Robot good { Config=SimpleRobot Pos=0,-3,0 Mine brain { Speed=2 } }\n")
+
+        with trundle.Simulation(path, console=None, trust=True) as sim:
+            def restart():
+                sim.restart("bad")
+                sim.step(2)
+                return [stopped["reason"] for stopped in sim.status()["stopped"]]
+
+            sim.step(2)
+            self.assertIn("ZeroDivisionError", sim.status()["stopped"][0]["reason"])
+            self.assertIn("ZeroDivisionError", restart()[0])
+            mine("no python")
+            self.assertRegex(restart()[0], "mine.py cannot be loaded: SyntaxError: .* at parts.py:2")
+            mine("pass", field="'a'")
+            self.assertIn("it has other properties or published values now: reset the run to use it", restart()[0])
+            mine("controller.count = 7")
+            self.assertEqual(restart(), [])
+            self.assertEqual((sim["bad/brain/count"], sim["good/brain/count"]), (7, 2 * sim.tick))
+
+    def test_a_tick_that_fails_is_no_step(self):
+        path = write("fails.sim", TWO + "#loadModule fails.py\nRobot bad { Config=SimpleRobot Pos=0,-2,0 Fails brain { } }\n")
+        write("fails.py", "import trundle\n\n\nclass Fails(trundle.Controller):\n    def update(self, since_last):\n"
+              "        if self.time > 0.195:\n            self.fail('enough')\n")
+        with trundle.Simulation(path, console=None, trust=True) as sim:
+            self.assertEqual((sim.step(100), sim.tick, sim.state), (20, 20, "ended"))
+            self.assertEqual(sim.end_reason, "at t = 0.2 s the controller Fails of bad gave up: enough")
+            for change in (lambda: sim.place("rover", (1, 1, 0)), lambda: sim.push("rover/chassis", (1, 0, 0), (0, 0, 0)), sim.step,
+                           lambda: sim.hold("other"), lambda: sim.restart("bad"), lambda: sim.run(),
+                           lambda: sim.command("rover/base", vel=[0.1, 0])):
+                with self.assertRaisesRegex(trundle.RemoteError, "the run is over, reset it: at t = 0.2 s") as over:
+                    change()
+                self.assertEqual(over.exception.code, "ended")
+            self.assertEqual(sim.status()["state"], "ended")
+
     def test_ctrl_c_ends_a_step(self):
         def interrupt(time, who, severity, text):
             raise KeyboardInterrupt  # as it would be if Ctrl+C came here
@@ -348,7 +392,7 @@ class SimulationTest(unittest.TestCase):
             picture = sim.robot("rover").camera("eye").capture()
             self.assertTrue(picture, picture.error)
             self.assertEqual(len(picture.pixels.tobytes()), picture.width * picture.height * 3)
-            self.assertTrue(len({picture.at(x, picture.height - 1) for x in range(picture.width)}) > 1)
+            self.assertTrue(len({picture.at(0, y) for y in range(picture.height)}) > 2)
 
     def test_the_process_ends_with_the_one_that_started_it(self):
         for end in ("os.kill(os.getpid(), 9)", "sys.exit()", "sim.step(0); os._exit(1)"):
