@@ -157,8 +157,7 @@ bool DriveCommand::readToken() {
 
 RunOptions DriveCommand::runOptions() {
     RunOptions options;
-    options.logFolder = m_arguments.logDir.empty() ? defaultLogs(m_loaded.projectFolder, m_arguments.file)
-                                                   : LogLocation(std::filesystem::absolute(m_arguments.logDir).string());
+    options.logFolder = logsOf(m_loaded.projectFolder, m_arguments.file, m_arguments.logDir);
     options.calls = m_calls;
     options.console = [this](double time, const std::string& who, int severity, const std::string& text) {
         const std::string lines = consoleLines(time, who, severity, text);

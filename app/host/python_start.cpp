@@ -14,16 +14,13 @@ namespace trundle {
 namespace {
 
 std::string layout() {
-    const std::pair<const char*, std::size_t> offsets[] = {{"turn", offsetof(ControlPage, turn)},
-                                                           {"hostSleeps", offsetof(ControlPage, hostSleeps)},
-                                                           {"phase", offsetof(ControlPage, phase)},
-                                                           {"controller", offsetof(ControlPage, controller)},
-                                                           {"toHost", offsetof(ControlPage, toHost)},
-                                                           {"toRun", offsetof(ControlPage, toRun)},
-                                                           {"report", offsetof(ControlPage, report)},
-                                                           {"mailSize", offsetof(Mailbox, size)},
-                                                           {"mailMore", offsetof(Mailbox, more)},
-                                                           {"mailBytes", offsetof(Mailbox, bytes)}};
+    const std::pair<const char*, std::size_t> offsets[] = {
+        {"turn", offsetof(ControlPage, turn)},     {"hostSleeps", offsetof(ControlPage, hostSleeps)},
+        {"phase", offsetof(ControlPage, phase)},   {"controller", offsetof(ControlPage, controller)},
+        {"toHost", offsetof(ControlPage, toHost)}, {"toRun", offsetof(ControlPage, toRun)},
+        {"report", offsetof(ControlPage, report)}, {"exception", offsetof(ControlPage, crash) + offsetof(CrashRecord, exception)},
+        {"mailSize", offsetof(Mailbox, size)},     {"mailMore", offsetof(Mailbox, more)},
+        {"mailBytes", offsetof(Mailbox, bytes)}};
     std::string text;
     for (const auto& [name, offset] : offsets) text += (text.empty() ? "" : ",") + std::string(name) + "=" + std::to_string(offset);
     return text;

@@ -206,7 +206,7 @@ void TrundleApplication::addPythonKinds(const std::vector<std::string>& folders,
 }
 
 Result<std::shared_ptr<const LoadedProject>> TrundleApplication::open(const std::string& path, const OpenOptions& options) {
-    DirectoryCatalog catalog({options.modules, m_locations.modules, {}, options.trust},
+    DirectoryCatalog catalog({options.modules, m_locations.modules, options.trusted, options.trust},
                              [this](const std::string& file) { return m_python.kinds(file); });
     AssetMeshes all(m_assets);
     CachedMeshes kept(m_assets);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <string_view>
 
 #include "base/clean_text.h"
 #include "base/platform/atomic_file.h"
@@ -17,6 +18,25 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLongestName = 60;
+/// Modules of Python's library (3.11): a file with one of these names would be loaded in its place.
+constexpr std::string_view kPythonModules =
+    " "
+    "abc aifc antigravity argparse array ast asynchat asyncio asyncore atexit audioop base64 bdb binascii bisect "
+    "builtins bz2 calendar cgi cgitb chunk cmath cmd code codecs codeop collections colorsys compileall concurrent "
+    "configparser contextlib contextvars copy copyreg crypt csv ctypes curses dataclasses datetime dbm decimal "
+    "difflib dis distutils doctest email encodings ensurepip enum errno faulthandler fcntl filecmp fileinput fnmatch "
+    "fractions ftplib functools gc genericpath getopt getpass gettext glob graphlib grp gzip hashlib heapq hmac html "
+    "http idlelib imaplib imghdr imp importlib inspect io ipaddress itertools json keyword lib2to3 linecache locale "
+    "logging lzma mailbox mailcap marshal math mimetypes mmap modulefinder msilib msvcrt multiprocessing netrc nis "
+    "nntplib nt ntpath nturl2path numbers opcode operator optparse os ossaudiodev pathlib pdb pickle pickletools "
+    "pipes pkgutil platform plistlib poplib posix posixpath pprint profile pstats pty pwd py_compile pyclbr pydoc "
+    "pydoc_data pyexpat queue quopri random re readline reprlib resource rlcompleter runpy sched secrets select "
+    "selectors shelve shlex shutil signal site smtpd smtplib sndhdr socket socketserver spwd sqlite3 sre_compile "
+    "sre_constants sre_parse ssl stat statistics string stringprep struct subprocess sunau symtable sys sysconfig "
+    "syslog tabnanny tarfile telnetlib tempfile termios textwrap this threading time timeit tkinter token tokenize "
+    "tomllib trace traceback tracemalloc tty turtle turtledemo types typing unicodedata unittest urllib uu uuid venv "
+    "warnings wave weakref webbrowser winreg winsound wsgiref xdrlib xml xmlrpc zipapp zipfile zipimport zlib "
+    "zoneinfo ";
 constexpr const char* kNameRule = "a capital letter and then letters, digits and _, like ";
 
 struct Template {
@@ -71,7 +91,12 @@ std::string kindNameFault(ModuleTemplate what, const std::string& kind) {
                                 : kind == "Param" ? "a reserved word"
                                 : isKeyword       ? "a word of Python"
                                                   : nullptr;
-    return meaning ? "a kind cannot be named " + kind + ": that is " + meaning + ", choose another name" : std::string();
+    if (meaning) return "a kind cannot be named " + kind + ": that is " + meaning + ", choose another name";
+    const std::string module = moduleNameFor(kind);
+    if (isPython(what) && (module == "trundle" || kPythonModules.find(" " + module + " ") != std::string_view::npos))
+        return "a kind in Python cannot be named " + kind + ": its file " + module + ".py would hide the module " + module +
+               " of Python, choose another name";
+    return {};
 }
 
 std::string configNameFault(const std::string& what, const std::string& name, const std::string& like,

@@ -12,7 +12,8 @@ struct LoadedProject;
 /// Options of every command that loads an experiment.
 struct OpenOptions {
     std::vector<std::string> includes; ///< additional search folders for imported files
-    std::vector<std::string> modules;  ///< folders whose modules are trusted, besides the program's own
+    std::vector<std::string> modules;  ///< folders that are searched for modules and trusted, besides the program's own
+    std::vector<std::string> trusted;  ///< folders whose modules are trusted, but that are not searched
     std::vector<std::string> sets;     ///< overrides, such as "robot0.leftMotor.Resistance=3"
     bool trust = false;                ///< also trust modules in the folders of the experiment's files
 

@@ -120,6 +120,7 @@ constexpr Dimension kDimensions[] = {
     {"force", {1, 1, -2, 0, 0, 0}},
     {"torque", {2, 1, -2, 0, 0, 0}},
     {"voltage", {2, 1, -3, -1, 0, 0}},
+    {"voltage per angle", {2, 1, -3, -1, 0, -1}},
     {"current", {0, 0, 0, 1, 0, 0}},
     {"resistance", {2, 1, -3, -2, 0, 0}},
     {"inductance", {2, 1, -2, -2, 0, 0}},
@@ -247,10 +248,11 @@ std::string unitOfProduct(const UnitExponents& exponents) {
     const Dimension* exact = nullptr;
     int alike = 0;
     for (const Dimension& d : kDimensions) {
-        alike += isSameQuantity(d.exponents, exponents);
+        const bool perAngle = d.name == "voltage per angle" && exponents[kRadian] == 0; // a voltage is none of these
+        alike += isSameQuantity(d.exponents, exponents) && !perAngle;
         if (d.exponents == exponents) exact = &d;
     }
-    return exact && (alike == 1 || exponents[kRadian] != 0) ? firstUnit(exact->name) : productOf(exponents);
+    return exact && alike == 1 ? firstUnit(exact->name) : productOf(exponents);
 }
 
 bool isSameQuantity(const UnitExponents& a, const UnitExponents& b) { return std::equal(a.begin(), a.begin() + kRadian, b.begin()); }

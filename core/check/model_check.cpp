@@ -12,13 +12,13 @@ namespace trundle {
 
 std::string figureText(double value) {
     char text[32];
-    const bool large = std::abs(value) >= 1000 && std::abs(value) < 1e9; // 2500, not 2.5e+03
+    const bool large = std::abs(value) >= 999.5 && std::abs(value) < 1e9; // 2500, not 2.5e+03
     std::snprintf(text, sizeof text, large ? "%.0f" : "%.3g", value);
     return text;
 }
 
 std::string lengthText(double metres) {
-    return std::abs(metres) < 1 ? figureText(1e3 * metres) + " mm" : figureText(metres) + " m";
+    return std::abs(metres) < 0.9995 ? figureText(1e3 * metres) + " mm" : figureText(metres) + " m";
 }
 
 namespace {

@@ -173,9 +173,12 @@ private:
                 if (!g.collide) continue;
                 hasShape = true;
                 for (const Vec3& from : lowestPoints(g, robot.pose * robot.config->bodies[b].pose * g.pose)) {
-                    const auto hit = m_scene.ray(from, -m_up, kFar, finding.piece.robot);
-                    if (!hit || (finding.height && hit->distance >= *finding.height)) continue;
-                    finding.height = hit->distance;
+                    // From a little above: a ray that starts on a face passes it.
+                    const auto hit = m_scene.ray(from + kLeave * m_up, -m_up, kFar, finding.piece.robot);
+                    if (!hit) continue;
+                    const double height = std::max(hit->distance - kLeave, 0.0);
+                    if (finding.height && height >= *finding.height) continue;
+                    finding.height = height;
                     finding.ground = m_scene.pathOf(hit->geom);
                 }
             }

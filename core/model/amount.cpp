@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "base/units.h"
 #include "model/literals.h"
@@ -114,6 +115,9 @@ Result<Amount> raised(const Amount& a, double power) {
     const auto raise = [power](double value) { return power == 0.5 ? std::sqrt(value) : std::pow(value, power); };
     if (a.unit.empty()) return finite({raise(a.value), {}});
     std::optional<Product> all = productFrom(a);
+    if (all &&
+        all->exponents[kRadian] * power != std::nearbyint(all->exponents[kRadian] * power)) // angles are plain numbers there
+        all->value *= std::pow(kDegrees, -std::exchange(all->exponents[kRadian], 0));
     for (std::size_t i = 0; all && i < all->exponents.size(); ++i) {
         const double exponent = all->exponents[i] * power;
         if (exponent != std::nearbyint(exponent) || std::abs(exponent) > 20) all.reset();

@@ -18,8 +18,14 @@ struct Operation {
 template <Reply (QueryOperations::*operation)()> Reply query(const RequestContext& request) {
     return (QueryOperations(request).*operation)();
 }
-template <Reply (RunOperations::*operation)()> Reply change(const RequestContext& request) {
+template <Reply (RunOperations::*operation)()> Reply pace(const RequestContext& request) {
     return (RunOperations(request).*operation)();
+}
+/// What acts in a coming tick, which there must be.
+template <Reply (RunOperations::*operation)()> Reply change(const RequestContext& request) {
+    if (request.run.state() == ServedState::Ended)
+        return Reply::failed("ended", "the run is over, reset it: " + request.run.endReason());
+    return pace<operation>(request);
 }
 template <Reply (RadioOperations::*operation)()> Reply radio(const RequestContext& request) {
     return (RadioOperations(request).*operation)();
@@ -28,16 +34,27 @@ using Query = QueryOperations;
 using Change = RunOperations;
 
 constexpr std::array kOperations{
-    Operation{"status", false, query<&Query::status>},       Operation{"list", true, query<&Query::list>},
-    Operation{"describe", true, query<&Query::describe>},    Operation{"subscribe", true, query<&Query::subscribe>},
-    Operation{"unsubscribe", false, query<&Query::unsubscribe>}, Operation{"read", true, query<&Query::read>},
-    Operation{"hash", true, query<&Query::hash>},            Operation{"image", true, query<&Query::image>},
-    Operation{"console", false, query<&Query::console>},     Operation{"command", true, change<&Change::command>},
-    Operation{"send", true, radio<&RadioOperations::send>},  Operation{"receive", true, radio<&RadioOperations::receive>},
-    Operation{"hold", true, change<&Change::hold>},          Operation{"place", true, change<&Change::place>},
-    Operation{"push", true, change<&Change::push>},          Operation{"restart", true, change<&Change::restart>},
-    Operation{"step", true, change<&Change::step>},          Operation{"run", true, change<&Change::run>},
-    Operation{"pause", true, change<&Change::pause>},        Operation{"reset", false, change<&Change::reset>},
+    Operation{"status", false, query<&Query::status>},
+    Operation{"list", true, query<&Query::list>},
+    Operation{"describe", true, query<&Query::describe>},
+    Operation{"subscribe", true, query<&Query::subscribe>},
+    Operation{"unsubscribe", false, query<&Query::unsubscribe>},
+    Operation{"read", true, query<&Query::read>},
+    Operation{"hash", true, query<&Query::hash>},
+    Operation{"image", true, query<&Query::image>},
+    Operation{"objects", true, query<&Query::objects>},
+    Operation{"console", false, query<&Query::console>},
+    Operation{"command", true, change<&Change::command>},
+    Operation{"send", true, radio<&RadioOperations::send>},
+    Operation{"receive", true, radio<&RadioOperations::receive>},
+    Operation{"hold", true, change<&Change::hold>},
+    Operation{"place", true, change<&Change::place>},
+    Operation{"push", true, change<&Change::push>},
+    Operation{"restart", true, change<&Change::restart>},
+    Operation{"step", true, change<&Change::step>},
+    Operation{"run", true, change<&Change::run>},
+    Operation{"pause", true, pace<&Change::pause>},
+    Operation{"reset", false, pace<&Change::reset>},
 };
 
 } // namespace

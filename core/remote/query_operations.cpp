@@ -241,6 +241,11 @@ Reply QueryOperations::image() {
     return reply;
 }
 
+Reply QueryOperations::objects() {
+    if (auto wrong = m_request.mistake()) return *wrong;
+    return {{{"objects", objectNames(m_run.world().experiment())}}, {}, {}, {}, false};
+}
+
 Reply QueryOperations::console() {
     const bool on = m_arguments.flag("on", true);
     if (auto wrong = m_request.mistake()) return *wrong;

@@ -17,6 +17,7 @@ public:
     [[nodiscard]] Reply read();
     [[nodiscard]] Reply hash();
     [[nodiscard]] Reply image();
+    [[nodiscard]] Reply objects();
     [[nodiscard]] Reply console();
 
 private:

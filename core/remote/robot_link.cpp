@@ -125,16 +125,17 @@ Result<CameraImage> RobotLink::image(const std::string& camera) {
     take(image.pixels, pixels);
     take(image.depth, depth);
     take(image.objects, objects);
-    if (const auto names = reply.value().find("names"); names != reply.value().end() && names->is_array())
-        for (const Json& named : *names)
-            if (named.is_array() && named.size() == 2 && named[0].is_number_unsigned() && named[1].is_string())
-                m_objects[named[0].get<std::uint32_t>()] = named[1].get<std::string>();
     return image;
 }
 
-std::string RobotLink::objectName(std::uint32_t number) const {
-    const auto found = m_objects.find(number);
-    return found == m_objects.end() ? std::string() : found->second;
+std::string RobotLink::objectName(std::uint32_t number) {
+    if (m_objects.empty()) {
+        const Result<Json> reply = request({{"op", "objects"}});
+        const auto names = reply ? reply.value().find("objects") : Json::const_iterator();
+        if (reply && names != reply.value().end() && names->is_array())
+            for (const Json& name : *names) m_objects.push_back(name.is_string() ? name.get<std::string>() : std::string());
+    }
+    return number < m_objects.size() ? m_objects[number] : std::string();
 }
 
 Status RobotLink::sendPacket(const std::string& radio, std::string_view bytes, std::uint32_t to, double powerDbm) {

@@ -3,7 +3,6 @@
 // resources/guide/remote.md, for one robot.
 
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -47,7 +46,7 @@ public:
     /// The current image of the camera "robot0/eye"; its tick is that of the other end.
     [[nodiscard]] Result<CameraImage> image(const std::string& camera);
     /// The name of an object in the images so far; empty if it is unknown.
-    [[nodiscard]] std::string objectName(std::uint32_t number) const;
+    [[nodiscard]] std::string objectName(std::uint32_t number);
     /// Of the radio "robot0/radio": queues a packet there. Fails if it is refused.
     [[nodiscard]] Status sendPacket(const std::string& radio, std::string_view bytes, std::uint32_t to, double powerDbm);
     /// The oldest packet in its buffer; none: it is empty.
@@ -74,7 +73,7 @@ private:
     std::uint64_t m_subscription = 0;
     std::vector<Signal> m_signals;
     std::vector<double> m_values;
-    std::map<std::uint32_t, std::string> m_objects; ///< their names
+    std::vector<std::string> m_objects; ///< names by number; empty: not yet asked for
     bool m_taken = false, m_hasController = false;
 };
 

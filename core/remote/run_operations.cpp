@@ -88,7 +88,6 @@ Reply RunOperations::step() {
     if (job.subscription && !m_client.subscriptions.contains(*job.subscription))
         return Reply::failed("no_such_path", "there is no such subscription");
     if (m_run.state() == ServedState::Running) return Reply::failed("busy", "the run is running; pause it first");
-    if (m_run.state() == ServedState::Ended) return Reply::failed("ended", "the run is over, reset it: " + m_run.endReason());
     if (const Status set = setAll(values); !set) return Reply::of(set);
     m_client.step = std::move(job);
     Reply reply;
@@ -100,7 +99,6 @@ Reply RunOperations::run() {
     const double speed = m_arguments.number("speed", 1);
     if (speed < 0 || speed > kFastest) m_arguments.setProblem("speed must be from 0, which is as fast as possible, to 1000");
     if (auto wrong = m_request.mistake()) return *wrong;
-    if (m_run.state() == ServedState::Ended) return Reply::failed("ended", "the run is over, reset it: " + m_run.endReason());
     m_run.run(speed);
     return {stateOf(m_run), {}, {}, {}, false};
 }

@@ -230,6 +230,8 @@ void RemoteServer::beforeTick() {
 }
 
 void RemoteServer::afterTick(bool good) {
+    if (m_counted && m_run.world().ticks() == m_countedAfter) --m_counted->done; // it was not completed
+    m_counted = nullptr;
     m_run.endTick(good);
     publishTick();
 }
@@ -252,6 +254,7 @@ void RemoteServer::close() {
 
 /// Of several steps one is executed after the other. False: it was one of no ticks.
 bool RemoteServer::countStep() {
+    m_counted = nullptr;
     if (m_run.state() != ServedState::Paused) return true;
     for (std::size_t i = 0; i < m_connections.size(); ++i) {
         RemoteClient& client = m_connections[(m_next + i) % m_connections.size()]->client;
@@ -259,6 +262,8 @@ bool RemoteServer::countStep() {
         m_next = (m_next + i) % m_connections.size();
         if (client.step->done >= client.step->ticks) return false;
         ++client.step->done;
+        m_counted = &*client.step;
+        m_countedAfter = m_run.world().ticks();
         return true;
     }
     return true;

@@ -92,6 +92,8 @@ private:
     std::optional<Clock::time_point> m_full; ///< since when others wait for a seat
     ServedState m_announced = ServedState::Paused;
     std::size_t m_next = 0; ///< whose step comes first, so that all get their turn
+    StepJob* m_counted = nullptr;     ///< of which the tick in progress is one
+    std::uint64_t m_countedAfter = 0; ///< ticks before it
     bool m_over = false;
 };
 

@@ -18,10 +18,12 @@ CallTarget targetOf(const RobotSpec& robot, const ControllerSpec& controller, st
     return {controllerTitle(robot, controller), robot.name, controller.kind, {}, static_cast<std::uint32_t>(index)};
 }
 
+std::string atTime(double time) { return "at t = " + numberText(time) + " s "; }
+
 Diagnostic faultDiagnostic(Severity severity, double time, const std::string& text, const RunningController& controller,
                            CodePlace place = {}) {
     const ControllerSpec& spec = controller.spec();
-    Diagnostic d{severity, Code::ControllerFailed, "at t = " + numberText(time) + " s " + text, spec.nameRange, {}, {}, {}};
+    Diagnostic d{severity, Code::ControllerFailed, atTime(time) + text, spec.nameRange, {}, {}, {}};
     d.robot = controller.robot;
     d.controller = spec.name;
     d.place = std::move(place);
@@ -364,8 +366,11 @@ std::optional<std::pair<Error, SourceRange>> ControllerSet::think() {
         while (controller.due && !isStopped(controller)) { // again if it was started in a new process
             const Status done = update(controller, tick, time);
             if (done) break;
-            if (!controller.backend->fault())
-                return std::pair(done.error(), controller.spec().nameRange);
+            if (!controller.backend->fault()) {
+                Error failed = done.error();
+                failed.message.insert(0, atTime(time));
+                return std::pair(std::move(failed), controller.spec().nameRange);
+            }
             stopFaulty();
         }
     return std::nullopt;

@@ -17,6 +17,8 @@ namespace trundle {
 
 namespace {
 
+constexpr std::string_view kDirection = "/direction";
+
 /// "leftAxle, rightAxle": joins the names of a list.
 template <class List> std::string namesOf(const List& list) {
     std::string out;
@@ -106,7 +108,9 @@ struct MountCalls {
                 return found(d, asked, robot(d).scenery[static_cast<std::size_t>(g)], out);
         const auto [b, g] = geomAt(config(d).bodies, asked);
         if (b < 0) {
-            d.note(unknownName("body", withoutLastWord(asked), config(d).bodies));
+            const std::string_view body = withoutLastWord(asked);
+            d.note(body.empty() ? "there is no geom " + asked + ", it is named with its body: body.geom"
+                                : unknownName("body", body, config(d).bodies));
             return -1;
         }
         if (g < 0) {
@@ -160,12 +164,21 @@ struct MountCalls {
         return 0;
     }
 
+    /// For the name "count/direction", which no field has.
+    static std::int32_t directionOf(const WorldDevice& other, std::string_view signal, double* value) {
+        const int i = signalIndex(*other.kind, signal);
+        if (i < 0 || !value) return -1;
+        *value = other.kind->signals[i].direction;
+        return 0;
+    }
+
     static std::int32_t peerNumber(void* context, const char* name, const char* field, double* value) {
         WorldDevice& d = device(context);
         const std::string peerName = moduleName(name), asked = moduleName(field);
         if (peerName.empty()) return settingNumber(d.host->experiment.settings, asked, value);
         const WorldDevice* other = peer(d, peerName);
         if (!other) return -1;
+        if (asked.ends_with(kDirection)) return directionOf(*other, asked.substr(0, asked.size() - kDirection.size()), value);
         const ResolvedValue* found = other->spec->find(asked);
         if (!found || found->value.numbers.empty()) return -1;
         if (value) *value = found->value.numbers[0];

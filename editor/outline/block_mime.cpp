@@ -236,8 +236,7 @@ QMimeData* mimeOf(const LoadedProject& loaded, const std::vector<std::string>& p
 }
 
 QMimeData* libraryMime(const LibraryItem& item, const std::string& text) {
-    auto* mime = new QMimeData;
-    mime->setText(QString::fromStdString(text));
+    auto* mime = new QMimeData; // no plain text: an editor of text would insert it without its imports, in the middle of a block
     const PasteContents contents{text, item.imports, {}, {}, {}};
     QJsonObject object = QJsonDocument::fromJson(jsonOf(item.kind, contents, contents)).object();
     object.insert(QStringLiteral("title"), item.title);

@@ -38,7 +38,7 @@ struct Blocks {
 
 /// Plain text for other editors; for other Trundle windows also the blocks that it refers to, or the files that contain them.
 [[nodiscard]] QMimeData* mimeOf(const LoadedProject& loaded, const std::vector<std::string>& paths);
-/// `text`: of the item, made for the selection if it has none of its own.
+/// `text`: of the item, made for the selection if it has none of its own. Without plain text.
 [[nodiscard]] QMimeData* libraryMime(const LibraryItem& item, const std::string& text);
 
 using MayImport = std::function<bool(const std::string& file)>; ///< absolute

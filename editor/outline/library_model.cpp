@@ -48,7 +48,7 @@ Qt::ItemFlags LibraryModel::flags(const QModelIndex& index) const {
     return index.isValid() ? Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled : Qt::ItemFlags();
 }
 
-QStringList LibraryModel::mimeTypes() const { return {QLatin1String(kLibraryMime), QStringLiteral("text/plain")}; }
+QStringList LibraryModel::mimeTypes() const { return {QLatin1String(kLibraryMime)}; }
 
 QMimeData* LibraryModel::mimeData(const QModelIndexList& indexes) const {
     if (indexes.isEmpty() || std::size_t(indexes.front().row()) >= m_items.size()) return nullptr;

@@ -49,6 +49,7 @@ LibraryPanel::LibraryPanel(Document& document, Selection& selection, Application
     m_pool.setMaxThreadCount(1);
     build();
     connect(m_pictures, &LibraryPictures::drawn, m_model, &LibraryModel::setPicture);
+    connect(&document, &Document::opened, m_search, &QLineEdit::clear);
     connect(&document, &Document::opened, this, &LibraryPanel::readFolders);
     connect(&document, &Document::changed, this, &LibraryPanel::showItems);
     connect(&document.editedModel(), &EditedModel::changed, this, &LibraryPanel::showModel);
@@ -173,6 +174,7 @@ void LibraryPanel::fitSections() {
 void LibraryPanel::showModel() {
     const bool isShown = m_document.editedModel().isOpen();
     if (isShown == m_openBefore.empty()) {
+        m_search->clear(); // it was for something else
         std::vector<bool> before;
         for (std::size_t i = 0; i < m_sections.size(); ++i) {
             before.push_back(m_sections[i].open);

@@ -74,7 +74,7 @@ ProblemsPanel::ProblemsPanel(Document& document, Selection& selection, QWidget* 
     m_none->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_view->installEventFilter(this);
     m_view->viewport()->installEventFilter(this);
-    connect(m_view, &QTreeView::clicked, this, &ProblemsPanel::go);
+    connect(m_view, &QTreeView::clicked, this, &ProblemsPanel::activate);
     connect(m_view, &QTreeView::customContextMenuRequested, this, &ProblemsPanel::openMenu);
     connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this, &ProblemsPanel::showFix);
     connect(m_model, &ProblemsModel::countsChanged, this, &ProblemsPanel::countsChanged);
@@ -208,6 +208,11 @@ void ProblemsPanel::go(const QModelIndex& index) {
     Q_EMIT jumpTo(file, place);
 }
 
+void ProblemsPanel::activate(const QModelIndex& index) {
+    if (index.parent().isValid() && m_model->fixAt(index)) applyFix(index);
+    else go(index);
+}
+
 void ProblemsPanel::goTo(int step) {
     const int count = m_model->rowCount();
     if (count == 0) return;
@@ -223,8 +228,7 @@ void ProblemsPanel::fixCurrent() { applyFix(m_view->currentIndex()); }
 void ProblemsPanel::applyFix(const QModelIndex& index) {
     const Fix* fix = m_model->fixAt(index);
     if (!fix) return;
-    const Status done = m_document.structure().applyFix(Fix(*fix)); // this has rebuilt the model
-    if (!done) m_fix->setToolTip(QString::fromStdString(done.error().message));
+    (void)m_document.structure().applyFix(Fix(*fix)); // rebuilds the model; the document reports a failure
 }
 
 void ProblemsPanel::openMenu(const QPoint& place) {
@@ -273,9 +277,7 @@ bool ProblemsPanel::eventFilter(QObject* watched, QEvent* event) {
         const bool enter = key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
         if (enter && key->modifiers() & Qt::AltModifier) return fixCurrent(), true;
         if (enter) {
-            const QModelIndex at = m_view->currentIndex();
-            if (at.parent().isValid() && m_model->fixAt(at)) applyFix(at);
-            else go(at);
+            activate(m_view->currentIndex());
             return true;
         }
     }

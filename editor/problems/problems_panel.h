@@ -63,6 +63,7 @@ private:
     void fitColumns();
     void showFix();
     void go(const QModelIndex& index);
+    void activate(const QModelIndex& index); ///< by a click or Enter: applies the fix of its row, or goes to the place
     void applyFix(const QModelIndex& index);
     void openMenu(const QPoint& place);
 

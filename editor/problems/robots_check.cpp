@@ -33,6 +33,7 @@ std::vector<std::string> arguments(const RobotsCheck& check, const LoadedProject
     };
     add("-I", check.options.includes);
     add("--modules", check.options.modules);
+    add("--modules", check.options.trusted); // the window has found all modules: only these are looked for
     add("--set", check.options.sets);
     if (check.options.trust) words.emplace_back("--trust");
     words.insert(words.end(), {"--", loaded.paths[0]});

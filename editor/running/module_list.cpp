@@ -34,7 +34,7 @@ std::string userOf(const LoadedProject& loaded, const std::vector<std::string>& 
 } // namespace
 
 std::vector<ModuleInfo> modulesOf(const LoadedProject& loaded, const OpenOptions& options, const Locations& places) {
-    DirectoryCatalog catalog({options.modules, places.modules, {}, options.trust});
+    DirectoryCatalog catalog({options.modules, places.modules, options.trusted, options.trust});
     DirectoryCatalog open({options.modules, places.modules, {}, true}); // reads descriptions, loads no module
     std::vector<ModuleInfo> modules;
     for (const ModuleSpec& spec : loaded.experiment->modules) {

@@ -41,7 +41,7 @@ std::vector<std::string> PythonWatch::modules() const {
     for (const ModuleSpec& spec : loaded.experiment->modules) {
         if (isPythonModule(spec.library)) found.push_back(spec.library);
         if (!spec.library.empty() || !didNotLoad(spec) || spec.range.file >= loaded.paths.size()) continue;
-        DirectoryCatalog catalog({options.modules, m_application.locations().modules, {}, options.trust});
+        DirectoryCatalog catalog({options.modules, m_application.locations().modules, options.trusted, options.trust});
         const std::string folder = fs::path(loaded.paths[spec.range.file]).parent_path().string();
         if (const auto listing = catalog.find(spec.written, folder)) found.push_back(listing.value().library);
     }

@@ -35,10 +35,10 @@ void RunLogs::forget() {
 LogLocation RunLogs::location() const {
     const std::string& project = m_document.loaded()->projectFolder;
     if (!m_document.isNew() && !m_document.access().isReadOnly() && QFileInfo(QString::fromStdString(project)).isWritable())
-        return defaultLogs(project, m_document.path());
+        return logsOf(project, m_document.path());
     if (!m_own.empty()) return m_own;
     const QString own = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
-    return own.isEmpty() ? LogLocation() : defaultLogs(own.toStdString(), m_document.path());
+    return own.isEmpty() ? LogLocation() : logsOf(own.toStdString(), m_document.path());
 }
 
 /// Two windows may have unsaved experiments of the same name: each takes a folder that does not exist yet.
@@ -49,7 +49,8 @@ void RunLogs::takeOwn() {
     if (first.empty()) return;
     std::filesystem::create_directories(std::filesystem::path(first.path()).parent_path(), failed);
     for (int n = 1; n <= kMaxOwnLogs; ++n) {
-        const LogLocation own(first.folder, n == 1 ? first.below : first.below + "_" + std::to_string(n));
+        LogLocation own = first;
+        if (n > 1) own.below += "_" + std::to_string(n);
         if (!std::filesystem::create_directory(own.path(), failed)) continue;
         m_own = own;
         return;

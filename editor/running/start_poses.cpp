@@ -13,7 +13,8 @@
 namespace trundle {
 namespace {
 
-constexpr double kPosStep = 1e-6, kAngleStep = 1e-4; // m, degrees
+constexpr double kPosStep = 1e-6, kAngleStep = 1e-4;   // m, degrees: of the numbers that are written
+constexpr double kLeastMove = 1e-4, kLeastTurn = 1e-2; // m, degrees: less is what a robot sinks into the floor
 constexpr double kDegrees = 180 / std::numbers::pi;
 
 /// The value as written in the text; empty if it is not set.
@@ -37,8 +38,7 @@ std::string turned(const LoadedProject& loaded, const RobotSpec& robot, const Qu
 }
 
 bool isElsewhere(const Pose& a, const Pose& b) {
-    if ((a.position - b.position).cwiseAbs().maxCoeff() > kPosStep / 2) return true;
-    return a.rotation.angularDistance(b.rotation) > kAngleStep / 2 / kDegrees;
+    return (a.position - b.position).norm() >= kLeastMove || a.rotation.angularDistance(b.rotation) >= kLeastTurn / kDegrees;
 }
 
 QString trPoses(const char* text) { return QCoreApplication::translate("RunSession", text); }

@@ -121,6 +121,10 @@ private Q_SLOTS:
             for (const char* word : {"V", "Hz", "Param"}) QVERIFY2(!kindNameFault(what, word).empty(), word);
             QCOMPARE(kindNameFault(what, "None").empty(), !isPython(what));
             QVERIFY(kindNameFault(what, "Volt").empty() && !kindNameFault(what, "wall").empty());
+            for (const char* hides :
+                 {"Trundle", "Abc", "Random", "Xdrlib", "Zoneinfo"}) // files that Python would load in place of modules
+                QCOMPARE(kindNameFault(what, hides).empty(), !isPython(what));
+            QVERIFY(kindNameFault(what, "Rand").empty() && kindNameFault(what, "TrundleBot").empty());
         }
         QVERIFY(!makeModule(ModuleTemplate::Controller, "V", path(""), findLocations()).ok());
         QVERIFY(!QFile::exists(QString::fromStdString(path("v"))));

@@ -83,6 +83,35 @@ private Q_SLOTS:
     }
 
     /// Materials and Surfaces that are used through an expression.
+    void whatRestsExactlyOnABoxDoesNotFall_data() {
+        QTest::addColumn<QString>("shape"); // 0.2 m high
+        QTest::addColumn<double>("above");  // m, over the board
+        QTest::addColumn<QString>("reported");
+        QTest::newRow("box") << "Box c { Size=0.3,0.25,0.2 Mass=1.7 }" << 0. << "";
+        QTest::newRow("ball") << "Sphere c { Radius=0.1 Mass=1.7 }" << 0. << "";
+        QTest::newRow("rounded up") << "Box c { Size=0.3,0.25,0.2 Mass=1.7 }" << 1e-9 << "";
+        QTest::newRow("higher") << "Box c { Size=0.3,0.25,0.2 Mass=1.7 }" << 0.07
+                                << "starts 70 mm above board/c and falls onto it";
+    }
+    void whatRestsExactlyOnABoxDoesNotFall() {
+        QFETCH(QString, shape);
+        QFETCH(double, above);
+        QFETCH(QString, reported);
+        const auto loaded =
+            m_fixture.open(QStringLiteral("StaticConfig F { Plane floor { } Box c { Size=1,1,0.1 Pos=0,0,0.05 } }\n"
+                                          "Static board { Config=F }\nRobotConfig Crate { Body b { %1 } }\n"
+                                          "Robot crate { Config=Crate Pos=0.1,-0.2,%2 }\n")
+                               .arg(shape)
+                               .arg(0.2 + above, 0, 'g', 17)
+                               .toStdString());
+        QVERIFY(loaded);
+        const Diagnostics found = CheckFixture::check(*loaded);
+        const auto unsupported = std::ranges::find(found.all(), Code::Unsupported, &Diagnostic::code);
+        QCOMPARE(unsupported != found.all().end(), !reported.isEmpty());
+        if (!reported.isEmpty())
+            QVERIFY2(unsupported->message.find(reported.toStdString()) != std::string::npos, unsupported->message.c_str());
+    }
+
     void namesInExpressions() {
         const std::string text = kThings + "Material mine { } Material yours { } Surface grip { } Surface ice { }\n"
                                            "StaticConfig F { Param colours = mine,yours  Param a = grip  Param b = ice\n"

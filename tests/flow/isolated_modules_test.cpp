@@ -356,6 +356,7 @@ void IsolatedModulesTest::failEndsTheRun() {
         const Outcome outcome = run(experiment(isolation, "Zoo", "Action=\"fail badly\""));
         QVERIFY2(outcome.code == 4, shown(outcome));
         QCOMPARE(QJsonDocument::fromJson(outcome.out).object()["ticks"].toInt(), 49);
+        QVERIFY2(outcome.err.contains("error E410: at t = 0.49 s the controller "), shown(outcome));
     }
 }
 

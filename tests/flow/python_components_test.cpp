@@ -183,10 +183,12 @@ private Q_SLOTS:
         QTest::newRow("memory") << sense + "bytearray(8 << 30)\n" << stopped + "MemoryError, in sense at mine.py:9";
         QTest::newRow("handle") << sense + "world.joint('a')\n" << stopped + "TypeError: 'a' is no joint, in sense at mine.py:9";
         QTest::newRow("unknown handle") << QByteArray(sense).replace("sense(self", "act(self") + "world.joint_torque(7, 1)\n"
-                                        << QByteArray("jointTorque was asked for something that is not there");
+                                        << QByteArray(
+                                               "NotFound: 7 is no joint of the device: setup finds them, in act at mine.py:9");
         QTest::newRow("not finite") << sense + "self.x = world.cast(self.f, float('nan'))\n    def setup(self, mount):\n        "
                                                "self.f = mount.frame('body')\n"
-                                    << stopped + "castFan was asked for a value that is not valid";
+                                    << stopped + "ValueError: World.cast(): range is nan, it must be a finite number above 0, in "
+                                                 "sense at mine.py:9";
         QTest::newRow("mount later") << QByteArray("    def setup(self, mount):\n        self.m = mount\n") + sense +
                                             "self.m.body('body')\n"
                                      << stopped + "NotFound: it is found in setup alone";
@@ -195,6 +197,8 @@ private Q_SLOTS:
                                   << QByteArray("r/device: there is no joint axel (there are: none)");
         QTest::newRow("no body") << setup + "mount.frame('bod')\n"
                                  << QByteArray("r/device: there is no body bod, did you mean body? (there are: body)");
+        QTest::newRow("no body of a geom") << setup + "mount.geom('body')\n"
+                                           << QByteArray("r/device: there is no geom body, it is named with its body: body.geom");
         QTest::newRow("setup") << setup + "1 / 0\n"
                                << QByteArray("r/device: ZeroDivisionError: division by zero, in setup at mine.py:11");
         QTest::newRow("nothing") << QByteArray("    pass\n")

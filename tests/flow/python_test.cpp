@@ -20,10 +20,23 @@ QJsonObject jsonOf(const Outcome& outcome) { return QJsonDocument::fromJson(outc
 class PythonTest : public QObject {
     Q_OBJECT
 
-    QTemporaryDir m_folder;
+    QTemporaryDir m_folder, m_copied;
     QByteArray m_trace, m_otherTrace; ///< of the sound robots beside one that does nothing bad, and of the one of another module
 
     QString at(const QString& name) const { return m_folder.filePath(name); }
+    /// The folder of the shipped modules with Copied before the name of each controller.
+    QString copiedModules() const {
+        const QDir shipped(TRUNDLE_SOURCE_DIR "/plugins/python"), folder(m_copied.path());
+        if (!folder.isEmpty()) return folder.path();
+        static const QRegularExpression definition(QStringLiteral("class ([A-Z]\\w*)\\((?!NamedTuple)"));
+        for (const QString& name : shipped.entryList({"*.py"})) {
+            QString text = QString::fromUtf8(contentOf(shipped.filePath(name)));
+            text.replace(definition, QStringLiteral("class Copied\\1("));
+            if (!writeFile(folder.filePath(name), text.toUtf8())) return {};
+        }
+        return folder.path();
+    }
+
     /// `isolation` of the robot that is bad; with "module" it shares its process with `second`, which is not logged then.
     QString experiment(const QByteArray& settings, const QByteArray& isolation = "robot") {
         const QString path = at("sick.sim");
@@ -140,15 +153,8 @@ private Q_SLOTS:
         const QJsonObject cpp = described({});
         QVERIFY(cpp["properties"].toArray().size() > 3);
         // Under another name, as the kind of the library comes first.
-        QTemporaryDir folder;
-        const QDir shipped(TRUNDLE_SOURCE_DIR "/plugins/python");
-        for (const QString& name : shipped.entryList({"*.py"})) {
-            QByteArray text = contentOf(shipped.filePath(name));
-            text.replace("class " + kind.toUtf8() + "(", "class Copied" + kind.toUtf8() + "(");
-            QVERIFY(writeFile(folder.filePath(name), text));
-        }
-        QJsonObject python = QJsonDocument::fromJson(
-                                 cli({"describe", "Copied" + kind, "--json", "--modules", folder.path()}).out).object();
+        QJsonObject python =
+            QJsonDocument::fromJson(cli({"describe", "Copied" + kind, "--json", "--modules", copiedModules()}).out).object();
         python.remove("module");
         python["name"] = kind;
         QCOMPARE(python, cpp);
@@ -261,6 +267,22 @@ private Q_SLOTS:
                                                            experiment({}), "--modules", kSick});
         QVERIFY2(check.code == 1 && check.err.contains("sick.sim:5:13: error E414: ") &&
                      check.err.contains("needs the program python3, which cannot be run; install Python 3"),
+                 shown(check));
+    }
+
+    /// Of a python3 that says to be 3.7.
+    void anOldPythonIsAnErrorOfItsLine() {
+        QVERIFY(QDir(m_folder.path()).mkpath("old"));
+        QVERIFY(writeFile(at("old/python3"),
+                          "#!/bin/sh\nshift 3\nPATH=${PATH#*:} exec python3 -c 'import runpy, sys\nsys.argv.pop(0)\n"
+                          "sys.version_info = (3, 7, 16)\nrunpy.run_path(sys.argv[0])' \"$@\"\n"));
+        QVERIFY(QFile::setPermissions(at("old/python3"), QFile::ReadOwner | QFile::ExeOwner));
+        const Outcome check =
+            callProgram("/usr/bin/env", {"PATH=" + at("old:") + qEnvironmentVariable("PATH"), programPath(), "check",
+                                         withModule("import trundle\n"), "--modules", m_folder.path()});
+        QVERIFY2(check.code == 1 && check.err.contains("mine.sim:4:13: error E414: ") &&
+                     check.err.contains("Trundle needs Python 3.8 or newer, and the first python3 in PATH is 3.7.16: ") &&
+                     !check.err.contains("Traceback"),
                  shown(check));
     }
 

@@ -122,7 +122,10 @@ private Q_SLOTS:
         row("60 rpm * w / w", 360, "deg/s");
         row("360 deg / 1 s", 360, "deg/s");
         row("60 rpm * w", 0.1 * std::numbers::pi, "m rad/s");
-        row("2 Nm / 1 deg", 360 / std::numbers::pi, "Nm/rad");
+        row("2 Nm / 1 deg", 360 / std::numbers::pi, "m^2 kg/s^2/rad"); // a torque or a stiffness
+        row("24 W / 3000 rpm", 0.24 / std::numbers::pi, "m^2 kg/s^2/rad");
+        row("sqrt(3 Nm/rad / 0.12 kgm^2)", 5, "1/s");
+        row("10 V/rad * 0.1 rad", 1, "V");
         row("100 N/m / 20 * 1 m * 1 m", 5, "m^2 kg/s^2");
         row("90 deg/s + 1", 90 + 180 / std::numbers::pi, "deg/s");
         row("max(1, 90 deg/s)", 90, "deg/s");

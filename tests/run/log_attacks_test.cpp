@@ -45,7 +45,7 @@ struct LogFixture {
         write(outside + "/folder/x.csv", "precious too");
         write(project + "/attack.sim", "Tick = 1 ms\n");
     }
-    [[nodiscard]] LogLocation location() const { return defaultLogs(project, project + "/attack.sim"); }
+    [[nodiscard]] LogLocation location() const { return logsOf(project, project + "/attack.sim"); }
     /// Type and content of every entry outside the project, by path.
     [[nodiscard]] std::map<std::string, QByteArray> state() const {
         std::map<std::string, QByteArray> all;
@@ -291,7 +291,7 @@ private Q_SLOTS:
     }
 
     void theDefaultIsOneFolderOfTheProject() {
-        QCOMPARE(defaultLogs("/p", "/p/a/run.sim").path(), std::string("/p/logs/run"));
+        QCOMPARE(logsOf("/p", "/p/a/run.sim").path(), std::string("/p/logs/run"));
         for (const char* file : {"/p/...", "/p/..sim", "/p/.", "", "/"}) {
             const std::string name = experimentName(file);
             QVERIFY2(!name.empty() && name != "." && name != ".." && name.find('/') == std::string::npos, file);

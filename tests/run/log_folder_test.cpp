@@ -32,6 +32,7 @@ private Q_SLOTS:
     void largeTextsPassThroughTheBuffer();
     void reportsFullDiskOnce();
     void removesLogsOfLastRun();
+    void keepsLogsOfAnotherExperiment();
     void aHostileListRemovesNothingElse();
 };
 
@@ -177,6 +178,29 @@ void LogFolderTest::removesLogsOfLastRun() {
     LogFolder(folder()).settle(); // a run without logs removes those of the last run
     QCOMPARE(QDir(m_outer.filePath("logs")).entryList(QDir::Files | QDir::Hidden), QStringList({"notes.txt"}));
     QVERIFY(!LogFolder(folder()).create(".trundle-logs").ok());
+}
+
+/// Of another text with the same name: its own are deleted at its own next run only, if nobody wrote there in between.
+void LogFolderTest::keepsLogsOfAnotherExperiment() {
+    const auto run = [this](const std::string& experiment, const QStringList& names) {
+        LogLocation location = folder();
+        location.experiment = experiment;
+        LogFolder logs(location);
+        for (const QString& name : names)
+            if (LogFile* file = logs.create(name.toStdString()).value(); !file || !file->close().ok())
+                return QStringList("failed");
+        logs.settle();
+        return QDir(m_outer.filePath("logs")).entryList(QDir::Files);
+    };
+    QCOMPARE(run("/a/my.sim", {"a.csv", "old.csv"}), QStringList({"a.csv", "old.csv"}));
+    QCOMPARE(run("/a/my.sim", {"a.csv"}), QStringList({"a.csv"}));
+    QCOMPARE(run("/b/my.sim", {}), QStringList({"a.csv"}));
+    QCOMPARE(run("/a/my.sim", {"other.csv"}), QStringList({"other.csv"}));
+    QCOMPARE(run("/b/my.sim", {"b.csv"}), QStringList({"b.csv", "other.csv"}));
+    QCOMPARE(run("/b/my.sim", {"c.csv"}), QStringList({"c.csv", "other.csv"}));
+    QCOMPARE(run("/a/my.sim", {"a.csv"}), QStringList({"a.csv", "c.csv", "other.csv"}));
+    QVERIFY(logsOf("/p", "/p/x/my.sim").experiment != logsOf("/p", "/p/y/my.sim").experiment);
+    QCOMPARE(logsOf("/p", "/p/x/my.sim").experiment, logsOf("/q", "/p/y/../x/my.sim", "/elsewhere").experiment);
 }
 
 void LogFolderTest::aHostileListRemovesNothingElse() {

@@ -55,6 +55,20 @@ struct Everything : Controller {
     }
 };
 
+struct Counts : Device {
+    std::uint8_t byte = 1;
+    unsigned whole = 2;
+    std::int16_t few = 3;
+    int any = 4;
+    static void describe(Describe<Counts>& d) {
+        d.field("Byte", &Counts::byte, trundle::number(), "");
+        d.field("Whole", &Counts::whole, trundle::number().atMost(9), "");
+        d.field("Few", &Counts::few, trundle::number().within(-5, 1e6), "");
+        d.field("Any", &Counts::any, trundle::number(), "");
+    }
+    void setup(Mount&) override {}
+};
+
 /// A device that uses every service; what it saw is in `seen`.
 struct Probe : Device {
     std::vector<double> seen;
@@ -171,6 +185,17 @@ private Q_SLOTS:
         const Vec3 point(0.1, -0.2, 0.3);
         QVERIFY(((a * b) * point - a * (b * point)).norm() < 1e-12);
         QVERIFY((a.inverse() * (a * point) - point).norm() < 1e-12);
+    }
+
+    /// Limits of the kind, or of what the member's type can hold.
+    void integersAreWithinTheirType() {
+        const auto table = deviceTable<Counts>("Counts");
+        const double limits[][2] = {{0, 255}, {0, 9}, {-5, 32767}, {-HUGE_VAL, HUGE_VAL}};
+        QCOMPARE(table->kind.fieldCount, 4u);
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            QCOMPARE(table->kind.fields[i].minimum, limits[i][0]);
+            QCOMPARE(table->kind.fields[i].maximum, limits[i][1]);
+        }
     }
 
     void tablesOfAKind() {

@@ -67,17 +67,16 @@ std::string DeviceCalls::find(Call call, WireReader& in) {
     case Call::Geom: return found(m.geom, in);
     case Call::Frame: return addFrame(in);
     case Call::Peer: return addPeer(in);
-    case Call::PeerNumber: {
-        const std::string device = in.text(), field = in.text();
-        double value = 0;
-        if (m.peerNumber(m.context, device.c_str(), field.c_str(), &value) != 0)
-            return refused("there is no " + device + "." + field);
-        return accepted().number(value).take();
-    }
+    case Call::PeerNumber:
     case Call::PeerText: {
         const std::string device = in.text(), field = in.text();
+        double value = 0;
+        const bool isNumber = m.peerNumber(m.context, device.c_str(), field.c_str(), &value) == 0;
         const char* text = m.peerText(m.context, device.c_str(), field.c_str());
-        return text ? accepted().bytes(text).take() : refused("there is no " + device + "." + field);
+        if (call == Call::PeerNumber && isNumber) return accepted().number(value).take();
+        if (call == Call::PeerText && text) return accepted().bytes(text).take();
+        if (isNumber) return refused(device + "." + field + " is a number, no text");
+        return refused(text ? device + "." + field + " is a text, no number" : "there is no " + device + "." + field);
     }
     default: return addInertia(call, in);
     }
@@ -106,8 +105,10 @@ std::string DeviceCalls::addPeer(WireReader& in) {
     const std::string kind = in.text(), device = in.text(), signal = in.text();
     double* slot = m_mount->peerSignal(m_mount->context, kind.c_str(), device.c_str(), signal.c_str());
     if (!slot) return refused("there is no " + device + "/" + signal);
+    double direction = TRUNDLE_OUTPUT;
+    (void)m_mount->peerNumber(m_mount->context, device.c_str(), (signal + "/direction").c_str(), &direction);
     m_peers.push_back(slot);
-    return accepted().number(*slot).take();
+    return accepted().number(*slot).number(static_cast<std::uint32_t>(direction)).take();
 }
 
 // ---- act and sense ----

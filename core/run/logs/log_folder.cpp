@@ -1,5 +1,6 @@
 #include "run/logs/log_folder.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -12,19 +13,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kListTitle = "logs of the last run, removed by the next";
+constexpr std::string_view kListTitle = "logs of the last run, removed by the next", kOwnerTitle = "of the experiment ";
 constexpr std::uint64_t kMaxListBytes = 16 << 20;
 
 Error unwritable(const std::string& path, const std::string& why) {
     return Error{Code::LogUnwritable, "cannot write " + path + ": " + why};
 }
 
-/// The valid file names of the list in a folder; empty if the list has another format.
-std::vector<std::string> listedNames(const FolderHandle& folder) {
+/// The valid file names of the list in a folder; empty if the list has another format. None if it is that of another experiment.
+std::optional<std::vector<std::string>> listedNames(const FolderHandle& folder, const std::string& experiment) {
     std::vector<std::string> names;
     const Result<std::string> bytes = folder.readFile(std::string(kLogList), kMaxListBytes);
     if (!bytes || !bytes.value().starts_with(std::string(kListTitle) + "\n")) return names;
     std::string_view rest = std::string_view(bytes.value()).substr(kListTitle.size() + 1);
+    if (rest.starts_with(kOwnerTitle)) {
+        const std::size_t end = std::min(rest.find('\n'), rest.size());
+        if (!experiment.empty() && rest.substr(kOwnerTitle.size(), end - kOwnerTitle.size()) != experiment) return std::nullopt;
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
     for (std::size_t end; (end = rest.find('\n')) != std::string_view::npos; rest.remove_prefix(end + 1)) {
         const std::string name(rest.substr(0, end));
         const Result<std::string> clean = cleanLogName(name);
@@ -91,8 +97,13 @@ std::string experimentName(const std::string& experimentFile) {
     return stem.empty() || stem == "." || stem == ".." ? "experiment" : stem; // `..` is the stem of a file called "..."
 }
 
-LogLocation defaultLogs(const std::string& projectFolder, const std::string& experimentFile) {
-    return {projectFolder, "logs/" + experimentName(experimentFile)};
+LogLocation logsOf(const std::string& projectFolder, const std::string& experimentFile, const std::string& chosen) {
+    std::error_code failed;
+    LogLocation logs = chosen.empty() ? LogLocation(projectFolder, "logs/" + experimentName(experimentFile))
+                                      : LogLocation(fs::absolute(chosen, failed).string());
+    logs.experiment = fs::weakly_canonical(experimentFile, failed).string();
+    std::ranges::replace(logs.experiment, '\n', ' '); // it is a line of the list
+    return logs;
 }
 
 Result<FolderHandle> LogFolder::folderOf(const std::string& name, bool make) const {
@@ -157,7 +168,9 @@ void LogFolder::settle() {
     const std::string list(kLogList);
     const Result<FolderHandle> folder = folderOf(list, false);
     if (!folder) return;
-    for (const std::string& name : listedNames(folder.value()))
+    const auto listed = listedNames(folder.value(), m_location.experiment);
+    if (!listed && own.empty()) return;
+    for (const std::string& name : listed.value_or(std::vector<std::string>()))
         if (!own.contains(name)) folder.value().removeFile(name);
     if (own.empty()) {
         folder.value().removeFile(list);
@@ -166,6 +179,7 @@ void LogFolder::settle() {
     const Result<std::FILE*> file = folder.value().makeFile(list);
     if (!file) return;
     std::string text = std::string(kListTitle) + "\n";
+    if (!m_location.experiment.empty()) text += std::string(kOwnerTitle) + m_location.experiment + "\n";
     for (const std::string& name : own) text += name + "\n";
     (void)std::fwrite(text.data(), 1, text.size(), file.value());
     std::fclose(file.value());

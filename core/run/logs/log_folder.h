@@ -63,7 +63,7 @@ public:
     /// Another run may write there again. Call it when all files are closed.
     void release() { m_locked.reset(); }
 
-    /// Removes the files that an earlier run listed and this one did not write, and writes a new list. Removes only regular files
+    /// Removes the files that an earlier run of the same experiment listed and this one did not write, and writes a new list. Removes only regular files
     /// directly in the folder, whatever the list contains. All files must be closed.
     void settle();
 

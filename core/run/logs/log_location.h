@@ -15,10 +15,12 @@ struct LogLocation {
     [[nodiscard]] std::string path() const { return below.empty() ? folder : folder + "/" + below; }
 
     std::string folder, below;
+    std::string experiment; ///< the whole path of its file: logs of others are not deleted. Empty: not known, and they are
 };
 
-/// The default log folder of an experiment: `logs/<name of its file>` inside the given folder; links in it are refused.
-[[nodiscard]] LogLocation defaultLogs(const std::string& projectFolder, const std::string& experimentFile);
+/// The log folder of an experiment: `chosen`, else `logs/<name of its file>` inside the given folder; links in that are refused.
+[[nodiscard]] LogLocation logsOf(const std::string& projectFolder, const std::string& experimentFile,
+                                 const std::string& chosen = {});
 /// The name of the experiment's file without the ending; "experiment" if that is not a valid folder name.
 [[nodiscard]] std::string experimentName(const std::string& experimentFile);
 

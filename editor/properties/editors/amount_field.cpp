@@ -9,28 +9,10 @@
 #include "editor/properties/editors/scrub_label.h"
 #include "editor/properties/editors/value_field.h"
 #include "editor/widgets/strings.h"
-#include "model/params.h"
+#include "project/objects/typed_number.h"
 #include "project/objects/value_text.h"
-#include "schema/value_reader.h"
 
 namespace trundle {
-namespace {
-
-/// The number that a text is, or the first problem in `diagnostics`.
-std::optional<double> numberIn(const std::string& text, const Property& property, Diagnostics& diagnostics) {
-    TextSet texts;
-    texts.trees = {parse(std::make_shared<const SourceText>("value", "v = " + text + "\n"), 0)};
-    const Tree& tree = *texts.trees[0];
-    const auto* assignment = tree.items().size() == 1 ? tree.items()[0].as<AssignmentItem>() : nullptr;
-    if (!tree.diagnostics().empty() || !assignment || assignment->value.elements.size() != 1) return std::nullopt;
-    ParamScope scope;
-    const auto given = Evaluator(texts, diagnostics).evaluate(assignment->value, 0, scope);
-    const auto value = given ? readValue(property, *given, diagnostics) : std::nullopt;
-    return value ? std::optional(value->numbers.front()) : std::nullopt;
-}
-
-} // namespace
-
 AmountField::AmountField(Property property, QWidget* parent)
     : QWidget(parent), m_property(std::move(property)), m_field(new ValueField(this)) {
     auto* layout = new QHBoxLayout(this);
@@ -73,14 +55,10 @@ void AmountField::step(const QString& from, double steps) {
 }
 
 void AmountField::read() {
-    const std::string text = withArithmetic(tidied(m_field->text().toStdString()), true).text();
-    Diagnostics diagnostics;
-    m_value = numberIn(text, m_property, diagnostics);
-    m_fault.clear();
-    if (!m_value)
-        m_fault = diagnostics.all().empty()
-                      ? tr("%1 is a number in %2.").arg(toQString(m_property.name), toQString(m_property.unit))
-                      : toQString(diagnostics.all().front().message) + QLatin1Char('.');
+    const std::string text = tidied(m_field->text().toStdString());
+    const Result<double> read = typedNumber(text, m_property);
+    m_value = read ? std::optional(read.value()) : std::nullopt;
+    m_fault = read ? QString() : toQString(read.error().message) + QLatin1Char('.');
     const bool isPlain = !text.empty() && (std::isdigit(static_cast<unsigned char>(text.back())) != 0 || text.back() == '.');
     m_field->setSuffix(isPlain ? toQString(m_property.unit) : QString());
     Q_EMIT changed();

@@ -43,10 +43,10 @@ bool ControllerCommands::edit(const QString& name, const Result<EditPlan>& plan,
 
 void ControllerCommands::applyTrust() {
     OpenOptions options = m_document.options();
-    std::vector<std::string> folders = m_given;
+    std::vector<std::string> folders;
     for (const QString& folder : TrustedFolders::all()) folders.push_back(folder.toStdString());
-    if (folders == options.modules) return;
-    options.modules = std::move(folders);
+    if (folders == options.trusted) return;
+    options.trusted = std::move(folders);
     m_document.setOptions(options);
 }
 
@@ -72,7 +72,8 @@ QStringList ControllerCommands::recent() {
 /// Whether a library is in the program's folder or a trusted one; otherwise asks the user to trust its folder.
 bool ControllerCommands::isTrusted(const QString& library) {
     const OpenOptions& options = m_document.options();
-    DirectoryCatalog catalog({options.modules, m_session.source().application().locations().modules, {}, options.trust});
+    DirectoryCatalog catalog(
+        {options.modules, m_session.source().application().locations().modules, options.trusted, options.trust});
     const QString folder = QFileInfo(library).absolutePath();
     if (catalog.find(library.toStdString(), folder.toStdString())) return true;
     if (!m_ask || !m_ask(library, folder)) return false;

@@ -44,6 +44,8 @@ MazeDialog::MazeDialog(bool hasFloor, QWidget* parent)
         connect(field, &AmountField::submitted, m_insert, [this] { m_insert->click(); });
     }
     for (QSpinBox* box : {m_rows, m_columns, m_seed}) connect(box, &QSpinBox::valueChanged, this, &MazeDialog::check);
+    m_rows->setFocus();
+    m_rows->selectAll(); // so that a number that is typed replaces it
     check();
 }
 

@@ -42,6 +42,8 @@ ObstaclesDialog::ObstaclesDialog(ObstacleField field, bool hasFloor, QWidget* pa
         connect(each, &AmountField::submitted, m_insert, [this] { m_insert->click(); });
     }
     for (QSpinBox* box : {m_count, m_seed}) connect(box, &QSpinBox::valueChanged, this, &ObstaclesDialog::check);
+    m_count->setFocus();
+    m_count->selectAll(); // so that a number that is typed replaces it
     check();
 }
 

@@ -36,6 +36,7 @@ FindBar::FindBar(QWidget* parent)
     third->addStretch(1);
     third->addWidget(m_said);
     rows->addLayout(third);
+    setTabOrder(m_find, m_replace); // the row of buttons beside it comes after the replacement
     connect(m_find, &QLineEdit::textChanged, this, &FindBar::changed);
     connect(m_everywhere, &QCheckBox::toggled, this, &FindBar::changed);
     hide();

@@ -22,6 +22,12 @@ std::string lineEndOf(std::string_view text) {
     return std::string(text.substr(end, text.substr(end, 2) == "\r\n" ? 2 : 1));
 }
 
+/// Whether Replace All leaves a file out: a sample that an own project uses cannot be saved.
+bool isKept(const Document& document, const std::string& file) {
+    const DocumentTexts& texts = document.texts();
+    return texts.isSample(file) && !texts.isSample(document.path());
+}
+
 } // namespace
 
 FindSession::FindSession(Document& document, TextPages& pages, FindBar& bar, ResultsList& list, QObject* parent)
@@ -250,6 +256,12 @@ void FindSession::replaceAll() {
     const TextSearch search(m_bar.searchOptions());
     std::map<std::string, std::vector<const FileMatches*>> byFile;
     for (const FileMatches& found : m_found) byFile[found.file].push_back(&found);
+    std::size_t kept = 0;
+    std::erase_if(byFile, [&](const auto& entry) {
+        const bool stays = isKept(m_document, entry.first);
+        kept += stays ? entry.second.size() : 0;
+        return stays;
+    });
     FileTexts texts;
     for (const auto& [file, matches] : byFile) {
         const auto other = m_others.find(file);
@@ -266,9 +278,10 @@ void FindSession::replaceAll() {
         after += before.substr(at);
         texts.emplace(file, std::make_shared<const std::string>(std::move(after)));
     }
-    const int total = static_cast<int>(m_found.size());
-    if (texts.empty() || !m_document.edits().replaceTexts(tr("Replace All"), texts)) return;
-    m_bar.showStatus(tr("%n replaced", nullptr, total));
+    const std::size_t total = m_found.size();
+    if (total == 0 || (!texts.empty() && !m_document.edits().replaceTexts(tr("Replace All"), texts))) return;
+    const QString left = kept > 0 ? tr("; %1 in read-only files that came with Trundle stay").arg(kept) : QString();
+    m_bar.showStatus(tr("%n replaced", nullptr, static_cast<int>(total - kept)) + left);
 }
 
 } // namespace trundle

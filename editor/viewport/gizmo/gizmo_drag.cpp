@@ -1,13 +1,14 @@
 #include "editor/viewport/gizmo/gizmo_drag.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <limits>
 
+#include <QCoreApplication>
 #include <QKeyEvent>
 
-#include "base/units.h"
 #include "lang/number_text.h"
+#include "project/objects/typed_number.h"
 
 namespace trundle {
 namespace {
@@ -78,41 +79,57 @@ bool GizmoDrag::isAlong(int axis) const {
     return m_handle.kind == GizmoHandle::Kind::Screen || (m_handle.kind == GizmoHandle::Kind::Plane) != (axis == m_handle.axis);
 }
 
+int GizmoDrag::axisCount() const {
+    return m_handle.kind == GizmoHandle::Kind::Screen ? 3 : m_handle.kind == GizmoHandle::Kind::Plane ? 2 : 1;
+}
+
+/// Any character is taken, so that none is lost from what is meant.
 bool GizmoDrag::type(int key, const QString& text) {
-    if (key == Qt::Key_Backspace) {
-        if (!m_typed.empty()) m_typed.pop_back();
-        return true;
-    }
-    if (text.size() != 1 || m_typed.size() > 24) return false;
-    const char c = text[0].toLatin1();
-    const bool inUnit = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == ' ';
-    if ((c < '0' || c > '9') && c != '.' && c != '-' && c != ',' && (m_typed.empty() || !inUnit)) return false;
-    m_typed += c;
+    const bool isBlank = m_typed.empty() && text == QLatin1String(" ");
+    if (key != Qt::Key_Backspace && (text.size() != 1 || !text[0].isPrint() || isBlank)) return false;
+    QString typed = QString::fromStdString(m_typed);
+    if (key == Qt::Key_Backspace) typed.chop(1);
+    else typed += text;
+    m_typed = typed.toStdString();
+    read();
     return true;
 }
 
-/// The typed numbers, assigned to the handle's axes in order. nullopt while a unit is incomplete.
-std::optional<Vec3> GizmoDrag::typedNumbers() const {
-    if (m_typed.empty()) return std::nullopt;
-    Vec3 values = Vec3::Zero();
-    const char* at = m_typed.data();
-    const char* end = at + m_typed.size();
-    for (int k = 0; k < 3 && at < end; ++k) {
-        at = std::from_chars(at, end, values[k], std::chars_format::fixed).ptr;
-        const char* next = std::find(at, end, ',');
-        std::string unit(at, next);
-        std::erase(unit, ' ');
-        at = next == end ? end : next + 1;
-        if (unit.empty()) continue;
-        const auto value = convertUnit(values[k], unit, m_handle.kind == GizmoHandle::Kind::Ring ? "deg" : "m");
-        if (!value) return std::nullopt;
-        values[k] = *value;
+/// What is typed, as for a property row.
+Property GizmoDrag::typedProperty() const {
+    const bool turns = m_handle.kind == GizmoHandle::Kind::Ring, sizes = m_handle.kind == GizmoHandle::Kind::Size;
+    Property property;
+    property.name = turns ? "the angle" : sizes ? m_place.sizes[m_handle.axis].name.toStdString() : "the distance";
+    property.unit = turns ? "deg" : "m";
+    property.maximum = std::numeric_limits<double>::infinity();
+    property.minimum = sizes ? 0 : -property.maximum;
+    property.minExclusive = sizes;
+    return property;
+}
+
+void GizmoDrag::read() {
+    m_numbers.reset();
+    m_fault.clear();
+    if (m_typed.empty()) return;
+    const QStringList parts = QString::fromStdString(m_typed).split(QLatin1Char(','));
+    if (parts.size() > axisCount()) {
+        m_fault = axisCount() == 1 ? QCoreApplication::translate("GizmoDrag", "One number, with a point for decimals")
+                                   : QCoreApplication::translate("GizmoDrag", "No more than %1 numbers").arg(axisCount());
+        return;
     }
-    return values;
+    const Property property = typedProperty();
+    Vec3 numbers = Vec3::Zero();
+    for (int k = 0; k < parts.size() && m_fault.isEmpty(); ++k) {
+        if (parts[k].trimmed().isEmpty()) continue; // left out: 0
+        const Result<double> number = typedNumber(parts[k].toStdString(), property);
+        if (number) numbers[k] = number.value();
+        else m_fault = QString::fromStdString(number.error().message);
+    }
+    if (m_fault.isEmpty()) m_numbers = numbers;
 }
 
 Vec3 GizmoDrag::amount() const {
-    const auto typed = typedNumbers();
+    const std::optional<Vec3>& typed = m_numbers;
     if (!typed) return m_amount;
     Vec3 amount = Vec3::Zero();
     if (m_handle.kind == GizmoHandle::Kind::Screen) return *typed;
@@ -126,15 +143,11 @@ Vec3 GizmoDrag::amount() const {
     amount[m_handle.axis] = typed->x();
     if (m_handle.kind != GizmoHandle::Kind::Size) return amount;
     // The value typed is the size itself, as in the property row.
-    if (typed->x() <= 0) return m_amount;
     amount[m_handle.axis] = typed->x() / m_place.sizes[m_handle.axis].ofHalf - m_place.half[m_handle.axis];
     return amount;
 }
 
-double GizmoDrag::degrees() const {
-    const auto typed = typedNumbers();
-    return typed ? typed->x() : m_degrees;
-}
+double GizmoDrag::degrees() const { return m_numbers ? m_numbers->x() : m_degrees; }
 
 bool GizmoDrag::isOneSided() const {
     if (m_handle.kind != GizmoHandle::Kind::Size) return false;

@@ -1,9 +1,11 @@
 #pragma once
 // Converts a mouse drag of a gizmo handle to a translation, rotation or size change.
 
+#include <optional>
 #include <string>
 
 #include "editor/viewport/gizmo/gizmo.h"
+#include "schema/kind.h"
 
 namespace trundle {
 
@@ -14,9 +16,12 @@ public:
     /// Updates the drag to the mouse position. Steps in m and degrees; 0: no snapping. A side-to-side size grows at the dragged
     /// side only, or at both with `aboutCentre`.
     void to(const ViewRay& ray, const QPointF& pixel, double moveStep, double rotationStep, bool aboutCentre = false);
-    /// Numbers typed during the drag, with or without units, separated by commas; Backspace deletes. True if the key was used.
+    /// Numbers typed during the drag, with or without units, one for each axis, separated by commas; Backspace deletes. True if the
+    /// key was used.
     bool type(int key, const QString& text);
     [[nodiscard]] const std::string& typed() const { return m_typed; }
+    /// Why what is typed is no value of the handle, so that the mouse counts; empty if it is one or nothing is typed.
+    [[nodiscard]] const QString& fault() const { return m_fault; }
 
     /// Replaces the steps of the last to() along the axes that are dragged.
     void snapTo(const Vec3& amount) { m_amount = amount; }
@@ -38,7 +43,9 @@ public:
 private:
     [[nodiscard]] Vec3 pointOf(const ViewRay& ray) const;
     [[nodiscard]] double angleOf(const Vec3& point) const;
-    [[nodiscard]] std::optional<Vec3> typedNumbers() const;
+    [[nodiscard]] int axisCount() const; ///< how many numbers can be typed
+    [[nodiscard]] Property typedProperty() const;
+    void read(); ///< sets m_numbers and m_fault
 
     GizmoHandle m_handle;
     GizmoPose m_place;
@@ -47,6 +54,8 @@ private:
     double m_lastAngle = 0, m_turned = 0, m_degrees = 0; // rad, rad, degrees
     bool m_edgeOn = false, m_aboutCentre = false;
     std::string m_typed;
+    std::optional<Vec3> m_numbers; ///< that are typed, for the axes in their order
+    QString m_fault;
 };
 
 } // namespace trundle

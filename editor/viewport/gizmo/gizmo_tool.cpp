@@ -183,7 +183,8 @@ void GizmoTool::apply() {
 }
 
 void GizmoTool::showStatus() {
-    m_view.hints().setHovered({}, m_drag->readOut());
+    const QString& fault = m_drag->fault();
+    m_view.hints().setHovered({}, fault.isEmpty() ? m_drag->readOut() : m_drag->readOut() + QStringLiteral("  ") + fault);
     QString hint =
         tr("Type an exact value, with or without a unit · Enter applies · Esc cancels · Ctrl or Shift toggles snapping");
     const GizmoHandle& handle = m_drag->handle();
@@ -194,6 +195,12 @@ void GizmoTool::showStatus() {
 }
 
 void GizmoTool::release(const Pointer& pointer) {
+    if (m_drag && !m_drag->fault().isEmpty()) { // not what the mouse has reached instead
+        const QString fault = m_drag->fault();
+        cancel();
+        Q_EMIT m_view.context().document.refused(fault);
+        return;
+    }
     if (m_pending) apply();
     m_pace.stop();
     m_view.context().document.edits().endMerge();
@@ -209,6 +216,7 @@ void GizmoTool::release(const Pointer& pointer) {
 
 void GizmoTool::cancel() {
     m_pending = false;
+    m_drag.reset();
     if (m_dragged && m_dragged->isRunning()) (void)m_dragged->move(Pose{}, m_name, m_mergeKey);
     m_view.context().document.edits().discardMerge(m_mergeKey);
     release({});
@@ -233,7 +241,7 @@ void GizmoTool::leave() {
 bool GizmoTool::key(QKeyEvent& event) {
     if (!m_drag) return !m_view.isMouseBusy() && nudge(event);
     if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter) {
-        m_view.endTool();
+        if (m_drag->fault().isEmpty()) m_view.endTool();
         return true;
     }
     if (!m_drag->type(event.key(), event.text())) return false;

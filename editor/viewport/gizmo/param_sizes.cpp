@@ -207,7 +207,7 @@ ParamSizes::Change ParamSizes::resized(int axis, double extent, double fineness)
     const double before[] = {first}, after[] = {number};
     std::string text = withNumbers(param.text, before, after, unit.empty() ? "m" : unit.c_str(), step);
     if (!param.written && !unit.empty() && (number != first || param.text.empty())) text += " " + unit;
-    return {param.name, text, box(number).value_or(last)};
+    return {param.name, text, param.text, box(number).value_or(last)};
 }
 
 } // namespace trundle

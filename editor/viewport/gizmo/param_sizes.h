@@ -31,7 +31,7 @@ public:
 
     /// A new value of a Param, and the bounding box that it results in.
     struct Change {
-        std::string param, text;
+        std::string param, text, before; ///< before: as written in the instance, or a plain number of the config; else empty
         Bounds box;
     };
     /// The value that gives a scalable axis the extent (m), rounded so that the extent is accurate to `fineness` (m).

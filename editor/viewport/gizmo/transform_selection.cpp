@@ -355,8 +355,7 @@ void TransformSelection::follow(Item& item, const Vec3& before, const Vec3& afte
     for (ValueEdit& edit : editsOf(item, local, {})) edits.push_back(std::move(edit));
 }
 
-void TransformSelection::resizeByParam(Item& item, const Vec3& growth, int side, double fineness,
-                                       std::vector<ValueEdit>& edits) const {
+void TransformSelection::resizeByParam(Item& item, const Vec3& growth, int side, double fineness, std::vector<ValueEdit>& edits) {
     const ParamSizes& sizes = *item.sizes;
     int axis = item.sizedAxis;
     for (int k = 0; k < 3; ++k)
@@ -367,6 +366,7 @@ void TransformSelection::resizeByParam(Item& item, const Vec3& growth, int side,
     const double extent = std::max(kLeastLength, box.size()[axis] + 2 * growth[axis]);
     const ParamSizes::Change change = sizes.resized(axis, extent, fineness);
     edits.push_back({item.path + "." + change.param, change.text});
+    m_texts.try_emplace(edits.back().path.text(), change.before);
     if (!item.object || sizes.sizeName(axis).sides != Sides::Both) return;
     Vec3 shift = Vec3::Zero();
     shift[axis] = side > 0   ? box.low[axis] - change.box.low[axis]
@@ -380,10 +380,9 @@ void TransformSelection::resizeByParam(Item& item, const Vec3& growth, int side,
 Status TransformSelection::resize(const Vec3& growth, int side, const QString& name, const std::string& mergeKey,
                                   DragFineness fineness) {
     std::vector<ValueEdit> edits;
-    for (Item& item : m_items) {
+    for (Item& item : m_items)
         if (item.sizes) resizeByParam(item, growth, side, fineness.lengthM, edits);
         else if (const GeomSpec* geom = shapeOf(item)) resizeGeom(item, *geom, growth, side, fineness.lengthM, edits);
-    }
     return apply(edits, name, mergeKey);
 }
 
@@ -393,6 +392,7 @@ Status TransformSelection::resizeLayout(const Vec3& growth, int side, const QStr
     const LayoutExtent::Change change = m_layoutExtent->grown(growth, side, fineness.lengthM);
     Item& item = m_layoutItem.front();
     std::vector<ValueEdit> edits{{item.path + "." + change.key, change.text}};
+    m_texts.try_emplace(edits[0].path.text(), textOf(edits[0].path.text()));
     Pose local = item.local;
     local.position += item.local.rotation * change.shift;
     for (ValueEdit& edit : editsOf(item, local, {})) edits.push_back(std::move(edit));
@@ -403,9 +403,8 @@ void TransformSelection::resizeGeom(Item& item, const GeomSpec& geom, const Vec3
                                     std::vector<ValueEdit>& edits) {
     const auto set = [&](const char* key, std::span<const double> before, std::span<const double> after) {
         const std::string path = item.path + "." + key;
-        const auto [text, isNew] = m_texts.try_emplace(path);
-        if (isNew) text->second = textOf(path);
-        edits.push_back({path, withNumbers(text->second, before, after, "m", fineness)});
+        const std::string& text = m_texts.try_emplace(path, textOf(path)).first->second;
+        edits.push_back({path, withNumbers(text, before, after, "m", fineness)});
     };
     // The value as it will be rounded in the text; Pos is computed from it.
     const auto grown = [&](double value, double by) {

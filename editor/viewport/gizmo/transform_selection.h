@@ -90,7 +90,7 @@ private:
     [[nodiscard]] const GeomSpec* shapeOf(const Item& item) const; ///< whose sizes a drag changes; nullptr: it has none
     [[nodiscard]] std::string textOf(const std::string& property) const;
     /// The edits that resize an instance: its Param, and Pos if the opposite side is to stay.
-    void resizeByParam(Item& item, const Vec3& growth, int side, double fineness, std::vector<ValueEdit>& edits) const;
+    void resizeByParam(Item& item, const Vec3& growth, int side, double fineness, std::vector<ValueEdit>& edits);
     /// The same for a geom of the text: its size. `fineness`: m.
     void resizeGeom(Item& item, const GeomSpec& geom, const Vec3& growth, int side, double fineness,
                     std::vector<ValueEdit>& edits);

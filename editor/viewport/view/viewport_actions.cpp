@@ -111,16 +111,17 @@ void ViewportActions::connectViews() {
 }
 
 void ViewportActions::connectTools() {
-    for (const ToolRow& row : kToolRows)
-        on(row.id, [this, tool = row.tool] {
-            m_context.settings.setTool(tool);
-            showSettings();
-        });
+    const auto start = [this](Tool tool) {
+        m_context.settings.setTool(tool);
+        const bool stays = tool == Tool::Select || tool == Tool::Move || tool == Tool::Rotate || tool == Tool::Scale;
+        if (!stays) m_views.current().setFocus(); // its keys, Esc above all, wherever it was chosen
+        showSettings();
+    };
+    for (const ToolRow& row : kToolRows) on(row.id, [start, tool = row.tool] { start(tool); });
     for (const JointRow& row : kJointRows)
-        on(row.id, [this, kind = row.kind] {
+        on(row.id, [this, start, kind = row.kind] {
             m_context.settings.setJointKind(kind);
-            m_context.settings.setTool(Tool::Connect);
-            showSettings();
+            start(Tool::Connect);
         });
     on("tool.snap", [this] { m_context.settings.setSnaps(m_actions.at("tool.snap").isChecked()); });
     on("tool.snapSteps", [this] { m_bar.openSteps(); });

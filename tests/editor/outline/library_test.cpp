@@ -233,6 +233,7 @@ void LibraryTest::aDragCarriesKindTextAndImports() {
     QCOMPARE(json.value(QStringLiteral("kind")).toString(), QStringLiteral("Static"));
     QVERIFY(json.value(QStringLiteral("text")).toString().startsWith(QStringLiteral("Static wall {")));
     QCOMPARE(json.value(QStringLiteral("imports")).toArray().at(0).toString(), QStringLiteral("objects/wall.sim"));
+    QVERIFY(!mime->hasText()); // an editor of text refuses it
     // The tree accepts the drag data.
     QVERIFY(s.model().dropMimeData(mime.get(), Qt::CopyAction, -1, -1, {}));
     QCOMPARE(s.selected(), QStringLiteral("wall"));
@@ -300,6 +301,13 @@ void LibraryTest::aSearchLeavesWhatMatches() {
     QTest::mouseClick(s.library.findChild<QAbstractButton*>(QStringLiteral("librarySection.%1").arg(int(LibrarySection::Joints))),
                       Qt::LeftButton);
     QVERIFY(s.list(LibrarySection::Joints).isVisible());
+    // What is searched for in another document or model is something else.
+    search->setText(QStringLiteral("wall"));
+    QVERIFY(s.open(kRovers));
+    QCOMPARE(search->text(), QString());
+    search->setText(QStringLiteral("wall"));
+    s.document.editedModel().open("RobotConfig.Rover");
+    QCOMPARE(search->text(), QString());
 }
 
 void LibraryTest::drawsPictures() {

@@ -8,6 +8,7 @@
 #include <QGuiApplication>
 #include <QMessageBox>
 
+#include "editor/document/structure_edits.h"
 #include "editor/outline/block_mime.h"
 #include "editor/outline/kind_icons.h"
 #include "editor/outline/library_items.h"
@@ -208,6 +209,25 @@ private Q_SLOTS:
         QVERIFY(question && question->text() == QStringLiteral("robot1 is used by NoContact, Region goal."));
         question->button(QMessageBox::Cancel)->click();
         QVERIFY(o.text().contains(region));
+    }
+
+    /// Deleting a part of one robot of several, with what depends on it or alone.
+    void asksBeforeChangingASharedConfig() {
+        OutlineFixture o;
+        int asked = 0;
+        o.document.structure().setShareQuestionHandler([&](const ShareQuestion&, const StructureEdits::ShareAnswer& answer) {
+            ++asked;
+            answer(ShareChoice::Cancel);
+        });
+        QVERIFY(o.open(kRovers));
+        for (const char* path : {"robot0.chassis.bumper", "robot1.count", "robot0.leftWheel.tyre"}) {
+            o.tree().expandAll();
+            o.click(o.at(path));
+            QCOMPARE(o.selected(), QLatin1String(path));
+            QTest::keyClick(&o.tree(), Qt::Key_Delete);
+            QCOMPARE(o.text(), kRovers);
+        }
+        QCOMPARE(asked, 3);
     }
 
     /// The object that was selected last is the current row.

@@ -204,8 +204,13 @@ private Q_SLOTS:
             if (fixture.model().index(i, 0, top).data().toString().startsWith(QStringLiteral("Fix")))
                 fix = fixture.model().index(i, 0, top);
         QVERIFY(fix.isValid());
+        const int fixRow = fix.row();
         fixture.view().setCurrentIndex(fix);
         QTest::mouseClick(&fixture.button("applyFix"), Qt::LeftButton);
+        QCOMPARE(fixture.text(), "Tick" + before.substr(4));
+        fixture.document.edits().undo();
+        fixture.view().expand(fixture.model().index(0, 0));
+        fixture.click(fixture.model().index(fixRow, 0, fixture.model().index(0, 0)));
         QCOMPARE(fixture.text(), "Tick" + before.substr(4));
     }
 

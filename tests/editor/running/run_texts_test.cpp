@@ -62,6 +62,25 @@ private Q_SLOTS:
             QCOMPARE(factorText(factor), QString::fromUtf8(text));
     }
 
+    /// A module of another project is not found by its name alone, as by trundle-cli; by its path it is trusted.
+    void trustedFoldersAreNotSearched() {
+        SessionFixture o;
+        QVERIFY(QDir(o.folder.path()).mkpath(QStringLiteral("other")));
+        for (const char* ending : {".so", ".so.kinds.json"})
+            QVERIFY(
+                QFile::copy(QStringLiteral(TRUNDLE_BINARY_DIR "/lib/trundle/controllers/librandom_drive") + QLatin1String(ending),
+                            o.path("other/libwander") + QLatin1String(ending)));
+        TrustedFolders::add(o.path("other"));
+        const ControllerCommands commands(o.document, o.session); // which knows the trusted folders
+        for (const auto& [written, isFound] : {std::pair("wander", false), {"other/wander", true}}) {
+            QVERIFY(o.open(kStandingRobot + "#loadModule " + written + "\n"));
+            const std::vector<Diagnostic> found = o.document.loaded()->diagnostics.all();
+            QCOMPARE(std::ranges::count(found, Code::ModuleNotFound, &Diagnostic::code), isFound ? 0 : 1);
+            QCOMPARE(commands.modules().at(0).library.empty(), !isFound);
+            QVERIFY(!isFound || commands.modules()[0].trusted);
+        }
+    }
+
     void trustedFoldersCoverWhatIsBelowThem() {
         QTemporaryDir made;
         const QString root = QDir(made.path()).canonicalPath();

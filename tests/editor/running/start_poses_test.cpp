@@ -15,11 +15,12 @@ private Q_SLOTS:
         QTest::addColumn<QString>("expected");
         const Vec3 none = Vec3::Zero();
         QTest::newRow("nothing") << none << none << QString();
-        QTest::newRow("less than a step") << Vec3(4e-7, 0, 0) << Vec3(4e-5, 0, 0) << QString();
+        QTest::newRow("sunk into the floor") << Vec3(0, 0, -3.9e-5) << Vec3(0, 0.0026, 0) << QString();
+        QTest::newRow("almost moved") << Vec3(9.9e-5, 0, 0) << Vec3(0.0099, 0, 0) << QString();
         QTest::newRow("moved") << Vec3(0, 0.25, 0) << none << "Pos=1,2.25,0 HPR=0,0,0";
-        QTest::newRow("moved a little") << Vec3(0, 2e-6, 0) << none << "Pos=1,2.000002,0 HPR=0,0,0";
+        QTest::newRow("moved a little") << Vec3(0, 1.01e-4, 0) << none << "Pos=1,2.000101,0 HPR=0,0,0";
         QTest::newRow("turned") << none << Vec3(90, 0, 0) << "Pos=1,2,0 HPR=90,0,0";
-        QTest::newRow("turned a little") << none << Vec3(0.0002, 0, 0) << "Pos=1,2,0 HPR=0.0002,0,0";
+        QTest::newRow("turned a little") << none << Vec3(0.0101, 0, 0) << "Pos=1,2,0 HPR=0.0101,0,0";
         QTest::newRow("fallen over") << none << Vec3(0, 0, 90) << "Pos=1,2,0 HPR=0,0,90";
         QTest::newRow("both") << Vec3(1, 0, 0.5) << Vec3(0, 30, 0) << "Pos=2,2,0.5 HPR=0,30,0";
     }

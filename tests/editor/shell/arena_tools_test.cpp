@@ -275,6 +275,7 @@ private Q_SLOTS:
             QVERIFY(hand.choose({QStringLiteral("Insert"), QStringLiteral("Obstacle Field")}));
             auto* count = m_window->findChild<QSpinBox*>(QStringLiteral("fieldCount"));
             QVERIFY(count);
+            QCOMPARE(count->findChild<QLineEdit*>()->selectedText(), count->text()); // a number that is typed replaces it
             WindowHand::typeOver(count, QStringLiteral("9"));
             setAmount("fieldWidth", QStringLiteral("3"));
             setAmount("fieldLength", QStringLiteral("400 cm"));
@@ -353,9 +354,8 @@ private Q_SLOTS:
         QVERIFY(hand.choose({QStringLiteral("Insert"), QStringLiteral("Maze")}));
         auto* rows = m_window->findChild<QSpinBox*>(QStringLiteral("mazeRows"));
         QVERIFY(rows);
-        rows->setFocus();
-        rows->selectAll();
         QTest::keyClicks(rows, QStringLiteral("4"));
+        QCOMPARE(rows->value(), 4);
         savePicture("maze_dialog", m_window->findChild<QDialog*>(QStringLiteral("mazeDialog")));
         QVERIFY(hand.press("mazeInsert"));
         QVERIFY2(text().contains("Static maze { Config=Maze }"), text().constData());

@@ -44,6 +44,7 @@ private Q_SLOTS:
     void findsInTheProjectsFolder();
     void findsWhatIsNotSaved();
     void replacesInTheProject();
+    void replaceAllLeavesWhatCameWithTheProgram();
     void renamesInOtherTexts_data();
     void renamesInOtherTexts();
     void aNameThatIsTakenElsewhereIsRefused();
@@ -106,6 +107,23 @@ void ProjectSearchTest::replacesInTheProject() {
     w.document.edits().undo();
     QCOMPARE(w.text(w.other), QByteArray(kOther));
     QVERIFY(!w.document.texts().isModified());
+}
+
+/// It could not be saved, and nothing else with it.
+void ProjectSearchTest::replaceAllLeavesWhatCameWithTheProgram() {
+    SearchedProject w;
+    const std::string drive = w.write("drive.sim", "#import robots/simple_robot.sim\nRobot r { Config=SimpleRobot }\n");
+    w.open(drive);
+    w.key(Qt::Key_H, Qt::ControlModifier);
+    QTest::keyClicks(w.child<QLineEdit>("findText"), QStringLiteral("SimpleRobot"));
+    w.child<QCheckBox>("findEverywhere")->click();
+    QTest::keyClicks(w.child<QLineEdit>("replaceText"), QStringLiteral("Mine"));
+    QTest::mouseClick(w.child<QPushButton>("replaceAll"), Qt::LeftButton);
+    QVERIFY(w.text().contains("Config=Mine }"));
+    QCOMPARE(w.document.texts().modifiedFiles(), std::vector<std::string>{drive});
+    const QString said = w.child<QLabel>("findSaid")->text();
+    QVERIFY2(said.startsWith(QStringLiteral("1 replaced; ")) && said.contains(QStringLiteral("read-only")), qPrintable(said));
+    QVERIFY(w.document.saving().save().ok());
 }
 
 void ProjectSearchTest::renamesInOtherTexts_data() {

@@ -201,6 +201,8 @@ void SearchTest::replacesAllAsOneEntry() {
     w.child<QAbstractButton>("findCase")->click();
     w.child<QAbstractButton>("findWords")->click();
     w.child<QCheckBox>("findEverywhere")->click();
+    QTest::keyClick(w.child<QLineEdit>("findText"), Qt::Key_Tab);
+    QVERIFY(w.child<QLineEdit>("replaceText")->hasFocus());
     QTest::keyClicks(w.child<QLineEdit>("replaceText"), QStringLiteral("Sphere1"));
     QTest::mouseClick(w.child<QPushButton>("replaceAll"), Qt::LeftButton);
     QCOMPARE(w.text().count("Config=Sphere1"), 2);

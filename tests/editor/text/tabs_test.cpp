@@ -2,6 +2,8 @@
 
 #include <QApplication>
 #include <QDir>
+#include <QDragEnterEvent>
+#include <QMimeData>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QToolButton>
@@ -22,6 +24,7 @@ private Q_SLOTS:
     void closesTabsOfRemovedFiles();
     void closesTabsOfFilesThatUndoRemoves();
     void undoShowsTheTextThatItChanges();
+    void takesOnlyTextThatIsDropped();
     void cursorSelects();
     void selectionIsMarked();
     void closedDocumentIsEmpty();
@@ -178,6 +181,20 @@ void TabsTest::closesTabsOfFilesThatUndoRemoves() {
         w.document.edits().redo();
         QCOMPARE(tabs->count(), before + 1);
         w.document.edits().undo();
+    }
+}
+
+/// What the Library gives has no text of its own: its imports would be missing.
+void TabsTest::takesOnlyTextThatIsDropped() {
+    TextFixture w;
+    w.open(w.write("main.sim", "Tick = 0.01\n"));
+    for (const char* format : {"application/x-trundle-library", "text/plain"}) {
+        QMimeData mime;
+        mime.setData(QLatin1String(format), "Box box { Size=1,1,1 }");
+        QDragEnterEvent enter({5, 5}, Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+        enter.ignore();
+        QApplication::sendEvent(w.edit().viewport(), &enter);
+        QCOMPARE(enter.isAccepted(), mime.hasText());
     }
 }
 

@@ -115,6 +115,27 @@ private Q_SLOTS:
         QCOMPARE(m_window->document.edits().history().entries().size(), std::size_t(1));
     }
 
+    /// Neither Enter nor the release of the mouse applies what the mouse has reached instead.
+    void whatIsNoNumberIsNotApplied() {
+        const QByteArray before = m_window->text();
+        take("robot0", "tool.move");
+        const QPointF from = *m_window->view().tools().gizmo().spot(kMoveX);
+        m_window->press(from);
+        m_window->move(from + QPointF(30, 4), {}, Qt::LeftButton);
+        m_window->type(QStringLiteral("5 kg"));
+        m_window->key(Qt::Key_Return);
+        m_window->key(Qt::Key_Backspace);
+        m_window->key(Qt::Key_Backspace);
+        m_window->type(QStringLiteral("m")); // the drag continues
+        QVERIFY2(m_window->text().contains("Pos=4.5,0,0"), m_window->text().constData());
+        m_window->key(Qt::Key_Backspace);
+        m_window->type(QStringLiteral("ft"));
+        m_window->release(from);
+        QCOMPARE(m_window->text(), before);
+        QCOMPARE(m_window->refusals.size(), std::size_t(1));
+        QVERIFY2(m_window->refusals[0].contains(QStringLiteral("ft")), qPrintable(m_window->refusals[0]));
+    }
+
     void aTypedNumberMayCarryItsUnit() {
         take("robot0", "tool.move");
         const QPointF from = *m_window->view().tools().gizmo().spot(kMoveX);

@@ -233,6 +233,17 @@ private Q_SLOTS:
         QVERIFY2(m_window->text().contains("Pos=1,0,0 radius=0.22 }"), m_window->text().constData()); // around its centre
     }
 
+    /// As the Move tool does.
+    void aReplacedFormulaIsNamed() {
+        open("#import objects/crate.sim\nRobot crate { Config=Crate Pos=0,0,0 side=$(0.1+0.2) }\n");
+        const QSignalSpy notices(&m_window->document, &Document::notice);
+        take("crate", "tool.scale");
+        dragBy({GizmoHandle::Kind::Size, 2}, {0, 0, 0.1}, Qt::NoModifier, {0, 0, 0.15});
+        QVERIFY2(m_window->text().contains("side=0.4 }"), m_window->text().constData());
+        QVERIFY(!notices.empty());
+        QCOMPARE(notices.last().at(0).toString(), QStringLiteral("Replaced by numbers: $(0.1+0.2) in crate.side"));
+    }
+
     void aRegionIsMovedAndSized() {
         open("Region goal { Pos=0,0,0.2 Size=0.6,0.4,0.2 }\n");
         take("goal", "tool.scale");

@@ -1,6 +1,7 @@
 // The views of a panel: their states, what they frame and show, their buttons, the bar above them and the banner over them.
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
 #include <QToolButton>
@@ -193,6 +194,21 @@ private Q_SLOTS:
         QVERIFY(settings.moveStep() == 0.2 && settings.rotationStep() == 30);
         move->setValue(0.01);
         QVERIFY(settings.moveStep() == 0.01 && settings.rotationStep() == 30);
+    }
+
+    /// A tool that Esc leaves gets the keys, wherever it was chosen; the others leave the arrow keys to the tree.
+    void aStartedToolHasTheKeyboard() {
+        auto* other = new QLineEdit(m_window->panel.get());
+        other->show();
+        for (const auto& [tool, takes] : {std::pair("tool.connectHinge", true),
+                                          {"tool.drawWalls", true},
+                                          {"tool.measure", true},
+                                          {"tool.move", false},
+                                          {"tool.select", false}}) {
+            other->setFocus();
+            m_window->trigger(tool);
+            QVERIFY2((m_window->panel->window()->focusWidget() == &m_window->view()) == takes, tool);
+        }
     }
 
     /// Why what is selected cannot be edited, and a way out where there is one.

@@ -14,6 +14,16 @@ def near(value, wanted, slack):
             near(v, w, slack)
 
 
+def refused(error, words, call, *arguments):
+    """The run continues."""
+    try:
+        call(*arguments)
+    except error as raised:
+        assert words in str(raised), raised
+    else:
+        raise AssertionError(f"not refused: {words}")
+
+
 class Probe(trundle.Device):
     """Reads a robot of two bodies that stands before a wall."""
 
@@ -34,21 +44,35 @@ class Probe(trundle.Device):
         self.eye = mount.frame("base", (0.25, 0, 0.05), (math.pi / 2, 0, 0))  # faces along y
         self.count = mount.peer("Encoder", "turns", "count")
         self.volts = mount.peer("RotaryMotor", "motor", "voltage")
+        self.own = mount.peer("Probe", "probe", "ticks")
         assert mount.peer_number("turns", "CountsPerRevolution") == 1000 and mount.peer_text("turns", "Joint") == "pivot"
+        refused(LookupError, "turns.Joint is a text, no number", mount.peer_number, "turns", "Joint")
+        refused(LookupError, "turns.CountsPerRevolution is a number, no text", mount.peer_text, "turns", "CountsPerRevolution")
+        refused(ValueError, "inertia is -1, it must be a finite number from 0 on", mount.add_axial_inertia, self.pivot, -1)
         mount.add_axial_inertia(self.pivot, 0.001)
         mount.add_rotor(self.pivot, 0, 20)
         self.seen[2] = -1
 
     def act(self, world):
-        try:
-            world.motor_row("pivot", 0, 0, 0)
-        except TypeError as error:
-            assert str(error) == "'pivot' is no joint"
+        refused(TypeError, "'pivot' is no joint", world.motor_row, "pivot", 0, 0, 0)
+        refused(ValueError, "World.motor_row(): rate is nan, it must be a finite number", world.motor_row, self.pivot, math.nan, 0, 0)
+        refused(ValueError, "World.servo_row(): limit is -1, it must be a number from 0 on", world.servo_row, self.pivot, 0, -1, 0)
+        refused(ValueError, "World.body_force(): force is inf", world.body_force, self.base, (0, math.inf, 0), (0, 0, 0))
+        refused(LookupError, "99 is no joint of the device", world.joint_torque, 99, 1)
+        refused(LookupError, "there is no geom 9999", world.surface_velocity, 9999, (0, 0, 0))
         self.volts.value = 3.0 if world.time < 0.5 else 0.0
         world.body_force(self.base, (0, 0, -1), world.body(self.base).pose.position)
 
     def sense(self, world):
         self.ticks += 1
+        refused(AttributeError, "turns/count is measured, not commanded", setattr, self.count, "value", 77)
+        refused(AttributeError, "probe/ticks is measured, not commanded", setattr, self.own, "value", 77)
+        for fan, words in (((-1,), "World.cast(): range is -1, it must be a finite number above 0"), ((math.nan,), "range is nan"),
+                           ((1, (0, 0, 0)), "World.cast(): it has 0 beams"), ((1, (0, math.inf, 2)), "last is inf"),
+                           ((1, (0, 0, 1), (2,)), "elevations is 2.0, it must be from -pi/2 to pi/2")):
+            refused(ValueError, words, world.cast, self.eye, *fan)
+        for read, what in ((world.joint, "joint"), (world.body, "body"), (world.pose, "frame")):
+            refused(LookupError, f"99 is no {what} of the device", read, 99)
         pose = world.pose(self.eye)
         near(pose.position, (0.25, 0, 0.05), 1e-3)
         near(pose.direction((1, 0, 0)), (0, 1, 0), 1e-3)

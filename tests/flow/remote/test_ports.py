@@ -198,6 +198,24 @@ class PortsTest(unittest.TestCase):
             return error
         return None
 
+    def test_numbers_of_sensors_have_names_without_a_picture(self):
+        sim = self.start(ROBOTS + """
+RobotConfig Eye {
+  Body b { Box b { Size=0.02,0.02,0.02 Mass=1 } }
+  Fixed f { Parent=world Child=b }
+  RangeSensor r { Body=b MaxRange=9 }
+}
+StaticConfig Screen { Box seen { Size=0.1,1,1 } Box unseen { Size=0.1,1,1 Pos=0,2,0 Visible=false } }
+Static screen { Config=Screen Pos=4,-5,0.5 }
+Robot left { Config=Eye Pos=0,-5,0.5 }
+Robot right { Config=Eye Pos=0,-3,0.5 }
+""")
+        sim.step()
+        for robot, name in (("left", "screen/seen"), ("right", "screen/unseen")):
+            port = sim.robot(robot)
+            self.assertEqual(port.object_name(int(sim[f"{robot}/r/object"])), name)
+            self.assertEqual([port.object_name(n) for n in (0, -1, 10_000)], ["", "", ""])
+
     def test_resets_take_no_memory(self):
         sim = self.start("\n".join([ROBOTS] + [f"Robot r{i} {{ Config=SimpleRobot Pos=2,{i},0 }}" for i in range(20)]))
 

@@ -1,5 +1,6 @@
 """The Python package for controllers, without a run: python3 -m unittest discover, with core/sdk/python in PYTHONPATH."""
 
+import array
 import json
 import math
 import mmap
@@ -10,6 +11,7 @@ import unittest
 
 import trundle
 from trundle.description import INTERFACE, kind_to_json, kinds_to_json
+from trundle.device import Peer
 from trundle.host import link as link_module
 from trundle.host.link import HOST, ControlPage, Link
 from trundle.host.module import Fault
@@ -237,6 +239,16 @@ class PictureTest(unittest.TestCase):
         with self.assertRaises(TypeError):
             picture.pixels[0, 0, 0] = 1
         self.assertFalse(trundle.Picture(error="none"))
+
+
+class PeerTest(unittest.TestCase):
+    def test_commands_alone_are_set(self):
+        numbers = array.array("d", [1.5, 2.5])
+        measured, commanded = Peer(numbers, 0, "motor/current", False), Peer(numbers, 1, "motor/voltage", True)
+        with self.assertRaisesRegex(AttributeError, "motor/current is measured, not commanded"):
+            measured.value = 77
+        commanded.value = 3
+        self.assertEqual((measured.value, commanded.value, numbers.tolist()), (1.5, 3.0, [1.5, 3.0]))
 
 
 class MessagesTest(unittest.TestCase):

@@ -39,8 +39,10 @@ public:
         f.maxCount = q.maxCount ? q.maxCount : Access::high;
         if (!(q.flags & TRUNDLE_REQUIRED)) Access::get(m_default.*member, f);
         f.set = [member](void* object, const TrundleValue& v) { Access::set(static_cast<T*>(object)->*member, v); };
-        if constexpr (std::is_integral_v<M> && !std::is_same_v<M, bool>)
+        if constexpr (std::is_integral_v<M> && !std::is_same_v<M, bool>) {
+            detail::limitTo<M>(f);
             f.number = [member](const void* object) { return static_cast<double>(static_cast<const T*>(object)->*member); };
+        }
         m_fields.push_back(std::move(f));
         return *this;
     }

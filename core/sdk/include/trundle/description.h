@@ -2,9 +2,11 @@
 #pragma once
 // What describe() collects: fields and signals with the closures that reach their members in an object.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -100,6 +102,14 @@ template <class M> struct Member<std::optional<M>> {
         m = std::move(value);
     }
 };
+
+/// To what a member of a small or unsigned type can hold; any 32-bit integer of a text fits into the others.
+template <class I> void limitTo(FieldInfo& f) {
+    using Limits = std::numeric_limits<I>;
+    if (std::is_unsigned_v<I> || sizeof(I) < sizeof(std::int32_t))
+        f.minimum = std::max(f.minimum, double(Limits::min()) / f.scale);
+    if (sizeof(I) < sizeof(std::int32_t)) f.maximum = std::min(f.maximum, double(Limits::max()) / f.scale);
+}
 
 } // namespace detail
 

@@ -69,12 +69,12 @@ class Supply(NamedTuple):
 
 
 class Peer:
-    """A signal of another device of the robot."""
+    """A signal of another device of the robot. Commands alone can be set."""
 
-    __slots__ = ("_image", "_at")
+    __slots__ = ("_image", "_at", "name", "is_command")
 
-    def __init__(self, image, at):
-        self._image, self._at = image, at
+    def __init__(self, image, at, name, is_command):
+        self._image, self._at, self.name, self.is_command = image, at, name, is_command
 
     @property
     def value(self):
@@ -82,6 +82,8 @@ class Peer:
 
     @value.setter
     def value(self, value):
+        if not self.is_command:
+            raise AttributeError(f"{self.name} is measured, not commanded: it can only be read")
         self._image[self._at] = value
 
 
@@ -112,7 +114,8 @@ class Mount:
         return self._calls.frame(body, pos, hpr)
 
     def peer(self, kind, device, signal):
-        """One number of another device of the robot; kind "": any. This device then acts before the other one and senses after it."""
+        """One number of another device of the robot; kind "": any. This device then acts before the other one and senses after it. The
+        value of a command can be set, any other one only read."""
         return self._calls.peer(kind, device, signal)
 
     def peer_number(self, device, field):

@@ -138,13 +138,11 @@ class _Outside:
 
     def __init__(self, remote, robot):
         self._remote, self._robot = remote, robot
-        self.names = {}
+        self._names = None
 
     def capture(self, camera):
         try:
-            picture = self._remote.image(f"{self._robot}/{camera}")
-            self.names.update(picture.names)
-            return picture
+            return self._remote.image(f"{self._robot}/{camera}")
         except RemoteError as refused:
             return Picture(error=str(refused))
 
@@ -152,7 +150,9 @@ class _Outside:
         return "images of a served run are not saved by it; take them with capture()"
 
     def object_name(self, number):
-        return self.names.get(number, "")
+        if self._names is None:
+            self._names = self._remote._request("objects")[0]["objects"]
+        return self._names[number] if 0 <= number < len(self._names) else ""
 
     def find_radio(self, path):
         return _Radio(path, int(self._remote[f"{path}/address"]))

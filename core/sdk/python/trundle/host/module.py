@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """Loading a user's file, and the words for what goes wrong in it."""
 
+import importlib
 import importlib.util
 import inspect
 import os
@@ -97,6 +98,8 @@ class Module:
         if folder not in sys.path:
             sys.path.insert(0, folder)
         name = os.path.splitext(os.path.basename(path))[0]
+        if name == "trundle":
+            raise TypeError("it would be loaded in place of the package trundle: give it another name")
         spec = importlib.util.spec_from_file_location(name, path)
         module = importlib.util.module_from_spec(spec)
         sys.modules[name] = module
@@ -109,20 +112,40 @@ class Module:
             raise TypeError("it has no class that is derived from trundle.Controller or trundle.Device")
         for kind in self.kinds.values():
             _check_calls(kind)
+        self._loaded = self.sources()
+
+    def _parts(self):
+        """What Python has loaded from its folder, by name: packages that are installed there are no parts of it."""
+        folder, installed = os.path.dirname(self.path) + os.sep, f"{os.sep}site-packages{os.sep}"
+        files = ((name, getattr(module, "__file__", None) or "") for name, module in list(sys.modules.items()))
+        return {name: file for name, file in files
+                if file.startswith(folder) and not file.startswith(PACKAGE + os.sep) and installed not in file}
 
     def sources(self):
         """The files from its folder that it consists of, with what shows that one has changed."""
-        folder = os.path.dirname(self.path) + os.sep
-        files = {self.path}
-        for module in list(sys.modules.values()):
-            file = getattr(module, "__file__", None)
-            if file and file.startswith(folder):
-                files.add(file)
         found = []
-        for file in sorted(files):
+        for file in sorted({self.path, *self._parts().values()}):
             status = os.stat(file)
             found.append((file, status.st_size, status.st_mtime_ns))
         return found
+
+    def as_it_is_now(self):
+        """Loads its files again if one has changed. What was made of this one keeps its code."""
+        try:
+            if self.sources() == self._loaded:
+                return self
+        except FileNotFoundError:  # a part, which the file may need no more
+            pass
+        former = {name: sys.modules.pop(name) for name in self._parts()}
+        importlib.invalidate_caches()
+        try:
+            now = Module(self.path)
+            if now.description(()) != self.description(()):
+                raise TypeError("it has other properties or published values now: reset the run to use it")
+        except BaseException:
+            sys.modules.update(former)
+            raise
+        return now
 
     def description(self, sources):
         return kinds_to_json(self.kinds.values(), sources)

@@ -153,9 +153,12 @@ class Worker:
             self._module = Module(path)
             text = self._module.description(self._module.sources())
         except _ANY as error:
-            found = Fault(error)
-            return self._done((PYTHON_MODULE, f"{path} cannot be loaded: {found.text}", found.place))
+            return self._not_loaded(path, error)
         self._done(more=text)
+
+    def _not_loaded(self, path, error):
+        found = Fault(error)
+        self._done((PYTHON_MODULE, f"{path} cannot be loaded: {found.text}", found.place))
 
     def _map(self, reader):
         sensors = mmap.mmap(self._files[0], 0, prot=mmap.PROT_READ)
@@ -166,6 +169,11 @@ class Worker:
     def _start(self, reader):
         number = reader.number("I")
         self._enter(START, number)
+        if number in self._controllers and self._module:  # it is started again
+            try:
+                self._module = self._module.as_it_is_now()
+            except _ANY as error:
+                return self._not_loaded(self._module.path, error)
         running = _RunningController(reader, self._link, number, self._sensors, self._commands)
         self._controllers[number] = running
         kind = self._module.kinds.get(running.kind) if self._module else None
