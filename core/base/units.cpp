@@ -248,7 +248,7 @@ std::string unitOfProduct(const UnitExponents& exponents) {
     const Dimension* exact = nullptr;
     int alike = 0;
     for (const Dimension& d : kDimensions) {
-        const bool perAngle = d.name == "voltage per angle" && exponents[kRadian] == 0; // a voltage is none of these
+        const bool perAngle = d.name == "voltage per angle" && exponents[kRadian] == 0; // it is a voltage
         alike += isSameQuantity(d.exponents, exponents) && !perAngle;
         if (d.exponents == exponents) exact = &d;
     }

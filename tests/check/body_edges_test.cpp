@@ -1,6 +1,6 @@
 // Bodies, springs, loads, places and scenery at the limits of what is reported: just beyond a limit there is one finding with
 // its cause, just within it nothing is found. What is off-centre, turned or written in another order shows the other value.
-#include "check/check_fixture.h"
+#include "check/finding_rows.h"
 
 using namespace fixture;
 
@@ -62,31 +62,8 @@ std::string wall(const std::string& geoms, const std::string& place = "3,0,0.5")
 
 } // namespace
 
-class BodyEdgesTest : public QObject {
+class BodyEdgesTest : public QObject, FindingRows {
     Q_OBJECT
-    CheckFixture m_fixture;
-
-    static void columns() {
-        QTest::addColumn<std::string>("text");
-        QTest::addColumn<std::string>("said"); ///< the first finding contains it; empty: nothing is found
-        QTest::addColumn<std::string>("fix");  ///< its title; empty: none
-    }
-    static void row(const char* name, const std::string& text, const std::string& said, const std::string& fix = {}) {
-        QTest::newRow(name) << text << said << fix;
-    }
-    void check() {
-        QFETCH(const std::string, text);
-        QFETCH(const std::string, said);
-        QFETCH(const std::string, fix);
-        const auto loaded = m_fixture.open(kThings + text);
-        QVERIFY(loaded);
-        const Diagnostics found = CheckFixture::check(*loaded);
-        const std::string story = CheckFixture::shown(*loaded, found);
-        QVERIFY2(!loaded->diagnostics.hasErrors() && found.all().empty() == said.empty(), story.c_str());
-        if (said.empty()) return;
-        QVERIFY2(found.all()[0].message.find(said) != std::string::npos, story.c_str());
-        QCOMPARE(found.all()[0].fixes.empty() ? std::string() : found.all()[0].fixes[0].title, fix);
-    }
 
 private Q_SLOTS:
     void bodies_data() {

@@ -180,7 +180,7 @@ void LogFolderTest::removesLogsOfLastRun() {
     QVERIFY(!LogFolder(folder()).create(".trundle-logs").ok());
 }
 
-/// Of another text with the same name: its own are deleted at its own next run only, if nobody wrote there in between.
+/// Two texts have the same name and so the same folder: a run deletes only what the same text's run before it has written.
 void LogFolderTest::keepsLogsOfAnotherExperiment() {
     const auto run = [this](const std::string& experiment, const QStringList& names) {
         LogLocation location = folder();

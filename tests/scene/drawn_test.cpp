@@ -86,12 +86,6 @@ private Q_SLOTS:
             for (const std::uint32_t mask : {kMaskStatics, kMaskData})
                 QVERIFY(drawnOf(scene, view, 320, 240, mask).triangles > 0);
         }
-        CameraView ahead = aboveTheCrowd(); // the robot's middle in the plane of the eye
-        ahead.eye = {0, 0.4, 0.1};
-        ahead.target = {1, 0.4, 0.1};
-        ahead.fieldOfView = 160 * std::numbers::pi / 180;
-        QVERIFY(drawnOf(scene, ahead, 320, 240, kMaskRobots).triangles > 0 ||
-                drawnOf(scene, ahead, 320, 240, kMaskRobots).draws == 0);
     }
 
     /// At any distance; a point casts no shadow.
