@@ -36,6 +36,7 @@ public:
     template <class Item> bool take(Item& item) { return take(&item, 1); }
     template <class Item> bool take(Item* items, std::size_t count) {
         if (count > m_bytes.size() / sizeof(Item)) return false;
+        if (count == 0) return true; // an empty vector has no memory to copy to
         std::memcpy(items, m_bytes.data(), count * sizeof(Item));
         m_bytes.remove_prefix(count * sizeof(Item));
         return true;

@@ -78,7 +78,7 @@ const World kWorlds[] = {
      "RobotConfig Ball { Body b { Sphere g { Radius=0.05 Mass=0.2 Surface=rubber Material=red } } }\n"
      "Grid g { Config=SimpleRobot Count=6,5 Spacing=0.5 RandomDrive b { Speed=0.6 TurnRate=2 } }\n"
      "Robot crate { Config=Crate Pos=0.25,0.25,0.04 }\nRobot ball { Config=Ball Pos=-0.25,0.25,0.05 }\n",
-     "8", "3d063b89e37f444f"},
+     "8", "f0a1a5095bad9411"},
     {"quick solver, long ticks", nullptr,
      "Solver=quick Tick=0.03\nGrid g { Config=SimpleRobot Count=3,3 Spacing=0.6 RandomDrive b {} }\nRobot e { Config=EvBot "
      "Pos=1.4,1.4,0 BumpAndTurn b {} }\n",
@@ -88,7 +88,7 @@ const World kWorlds[] = {
      "Grid c { Config=Can Count=3,3 Spacing=0.1 Pos=0,0.03,0.6 HPR=0,50,20 }\n"
      "Grid d { Config=Chain Count=2,2 Spacing=0.8,0.4 Pos=0,1,0.5 HPR=20,30,0 }\nRobot w { Config=Wedge Pos=-1,-1,0.5 "
      "HPR=30,40,50 }\n",
-     "2", "da3ac760123146dc"},
+     "2", "1d95b0059f5849f7"},
     {"springs and stops", nullptr,
      "RobotConfig Cart { Body hull { Pos=0,0,0.25 Box g { Size=0.5,0.3,0.1 Mass=4 Surface=plastic Material=red } }\n"
      "  Repeat corner { Count=2,2 Pos=$(0.4*index - 0.2),$(0.36*index2 - 0.18),0 Body wheel { Pos=0,0,0.1 Cylinder tyre { "

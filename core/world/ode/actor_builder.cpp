@@ -39,8 +39,7 @@ void ActorBuilder::removeLast() {
     const OdeActor actor = m_objects.actors.back();
     try {
         for (std::size_t i = actor.geoms.begin; i < m_objects.geoms.size(); ++i)
-            for (const dGeomID id : {m_objects.geoms[i].id, m_objects.geoms[i].asSphere})
-                if (id) dGeomDestroy(id);
+            if (const dGeomID id = m_objects.geoms[i].id) dGeomDestroy(id);
         for (std::size_t i = actor.bodies.begin; i < m_objects.bodies.size(); ++i) {
             const dBodyID body = m_objects.bodies[i].id;
             while (dBodyGetNumJoints(body) > 0) dJointDestroy(dBodyGetJoint(body, 0));

@@ -134,7 +134,8 @@ void IslandBatch::place(std::uint32_t unit) {
     block.units.push_back(unit);
 }
 
-/// Speeds before the ground and others hold it. A ball rolls: its turning moves with it, and what turns it moves it.
+/// Speeds before the ground and others hold it. A ball rolls: its turning moves with it, and what turns it moves it; about the vertical it
+/// turns freely.
 IslandBatch::Loose IslandBatch::looseOf(std::uint32_t unit) const {
     const WheeledUnit& u = m_objects.units[unit];
     const ActorShape& s = *u.shape;
@@ -144,7 +145,7 @@ IslandBatch::Loose IslandBatch::looseOf(std::uint32_t unit) const {
     const bool ball = s.kind == ActorKind::Ball;
     const double load = std::max(-m_tick.gravity[2] * s.mass - u.force.z(), 0.) * m_tick.h;
     out.mass = ball ? s.mass + s.inertia(2, 2) / (s.spinRadius * s.spinRadius) : s.mass;
-    out.inertia = ball ? 0 : s.inertia(2, 2);
+    out.inertia = s.inertia(2, 2);
     out.reach = ball ? 0 : s.spinRadius;
     out.limit = load * (ball ? std::max(own.rollingFriction, floor.rollingFriction) / s.spinRadius
                              : std::min(own.friction, floor.friction));
@@ -152,7 +153,7 @@ IslandBatch::Loose IslandBatch::looseOf(std::uint32_t unit) const {
     const Vec3 v = u.linear + m_tick.h * (push / out.mass + s.mass / out.mass * Vec3(m_tick.gravity));
     speedOf(out, VX) = v.x();
     speedOf(out, VY) = v.y();
-    speedOf(out, WZ) = ball ? 0 : u.angular.z() + m_tick.h * u.moment.z() / out.inertia;
+    speedOf(out, WZ) = u.angular.z() + m_tick.h * u.moment.z() / out.inertia;
     return out;
 }
 
@@ -197,7 +198,7 @@ void IslandBatch::writeBack(const Loose& loose) {
     u.linear = {speedOf(loose, VX), speedOf(loose, VY), 0};
     u.angular = {0, 0, speedOf(loose, WZ)};
     if (u.shape->kind == ActorKind::Ball)
-        u.angular = {-speedOf(loose, VY) / u.shape->spinRadius, speedOf(loose, VX) / u.shape->spinRadius, 0};
+        u.angular = {-speedOf(loose, VY) / u.shape->spinRadius, speedOf(loose, VX) / u.shape->spinRadius, speedOf(loose, WZ)};
 }
 
 double* IslandBatch::velocitiesOf(std::uint32_t unit) {
@@ -214,13 +215,13 @@ VehiclePushes IslandBatch::pushesOf(std::uint32_t unit, const Vec3& point, const
     if (u.isVehicle()) return pushesAt(*m_blocks[at.block].lanes, at.lane, u.shape->mass, arm, normal);
     const Loose& loose = m_loose[at.lane];
     const auto fill = [&](VehiclePush& push, const Vec2& way) {
-        const double turn = loose.reach > 0 ? arm.x() * way.y() - arm.y() * way.x() : 0;
+        const double turn = arm.x() * way.y() - arm.y() * way.x();
         push.row[VX] = way.x();
         push.row[VY] = way.y();
         push.row[WZ] = turn;
         push.change[VX] = way.x() / loose.mass;
         push.change[VY] = way.y() / loose.mass;
-        push.change[WZ] = turn == 0 ? 0 : turn / loose.inertia;
+        push.change[WZ] = turn / loose.inertia;
     };
     VehiclePushes out;
     fill(out.normal, normal);

@@ -140,6 +140,27 @@ private Q_SLOTS:
         QVERIFY((velocity(*world, "thing/body") - 0.5 * (1 + height / 0.05) / (1.4 * 0.3) * force).norm() < 1e-9);
     }
 
+    /// A ball that meets a wall turns about the vertical: what grips keeps 1 - (5/7) / (5/7 + 5/2) of its speed along the wall, what slides
+    /// loses 5/7 of the friction.
+    void ballsAlongAWall() {
+        for (const EngineChoice engine : {EngineChoice::Wheeled, EngineChoice::Planar})
+            for (const double friction : {0.02, 0.3}) {
+                Scene scene = looseScene(engine, 0.005);
+                const auto s = scene.surface(friction);
+                scene.spec->statics.clear();
+                scene.scenery({plane("floor", {}, 0), box("wall", {0.1, 8, 0.5}, at(1.5, 0, 0.25), s)});
+                scene.ball("thing", {0, 0, 0.1}, 3, 0.1, s);
+                auto world = scene.build();
+                QVERIFY(world);
+                const double towards = 2, along = 0.8, whole = 1.4 * 3 / 0.005;
+                QVERIFY(world->push("thing/body", {whole * towards, whole * along, 0}, {0, 0, 0.1}).ok() && run(*world, 1.5));
+                const double slides = along - friction * towards, grips = along * (1 - (5. / 7) / (5. / 7 + 5. / 2));
+                const Vec3 v = velocity(*world, "thing/body"), w = spin(*world, "thing/body");
+                QVERIFY2(std::abs(v.y() - std::max(slides, grips)) < 1e-3, qPrintable(QString::number(v.y())));
+                QVERIFY(std::abs(std::abs(w.z()) - (along - v.y()) * 1.4 / 0.4 / 0.1) < 0.02);
+            }
+    }
+
     void blows_data() {
         QTest::addColumn<double>("start"); // m
         QTest::addColumn<double>("tick");

@@ -116,8 +116,9 @@ void GeomCollider::meet(std::uint32_t first, std::uint32_t second, Contacts& con
 }
 
 /// One contact per ground direction: exactly at the wheel's radius, at the centre of its tread.
-void GeomCollider::wheelAgainst(std::uint32_t index, std::uint32_t other, bool wheelFirst, Contacts& contacts) const {
+void GeomCollider::wheelAgainst(std::uint32_t index, std::uint32_t other, bool wheelFirst, Contacts& contacts) {
     const OdeGeom &g = m_objects.geoms[index], &o = m_objects.geoms[other];
+    if (NearTriangles::isSurface(o.shape)) return wheelOnSurface(index, other, wheelFirst, contacts);
     const WheelPose wheel = wheelPose(g, index);
     const auto emit = [&](const Vec3& position, const Vec3& outOfGround, double depth, bool rolling) {
         const Vec3 normal = wheelFirst ? outOfGround : Vec3(-outOfGround);
@@ -131,10 +132,8 @@ void GeomCollider::wheelAgainst(std::uint32_t index, std::uint32_t other, bool w
         if (answer == WheelContactResult::Contact) emit(ground.position, ground.normal, ground.depth, true);
         if (answer != WheelContactResult::Unknown) return;
     }
-    const bool rough = o.shape == GeomShape::Mesh || o.shape == GeomShape::Heightfield;
     dContactGeom found[kMaxFound];
-    const int count =
-        rough && g.asSphere ? dCollide(g.asSphere, o.id, kMaxFound, found, sizeof(dContactGeom)) : collide(index, other, found);
+    const int count = collide(index, other, found);
     UsedPoints used{};
     for (int round = 0; round < kMaxDirections; ++round) {
         Vec3 normal;
@@ -148,9 +147,63 @@ void GeomCollider::wheelAgainst(std::uint32_t index, std::uint32_t other, bool w
     }
 }
 
-/// Of the same two geoms by ODE, normals towards the first; at most kMaxFound.
-int GeomCollider::collide(std::uint32_t first, std::uint32_t second, dContactGeom* found) const {
+/// Of a wheel that is a ball the sides are those of the ball.
+void GeomCollider::wheelOnSurface(std::uint32_t index, std::uint32_t surface, bool wheelFirst, Contacts& contacts) {
+    const OdeGeom& g = m_objects.geoms[index];
+    const WheelPose wheel = wheelPose(g, index);
+    const bool isBall = g.shape == GeomShape::Sphere;
+    const std::span<const Triangle> near = m_near.find(surface, index);
+    if (near.empty()) return;
+    m_onTread.clear();
+    m_onHulls.clear();
+    wheelOnTriangles(wheel, isBall ? 0 : g.half.z(), near, m_onTread);
+    if (isBall) ballOnTriangles(wheel.centre, g.radius, near, false, m_onHulls);
+    else (void)m_hulls.meet(index, surface, kMaxKept, m_onHulls); // on its ends
+    for (const SurfaceContact& c : m_onHulls)
+        if (c.normal.cross(wheel.axle).norm() < kSideHit) m_onTread.push_back({c, false});
+    for (const TreadContact& c : m_onTread) {
+        const Vec3 normal = wheelFirst ? c.normal : Vec3(-c.normal);
+        OdeContact& added = addContact(wheelFirst ? index : surface, wheelFirst ? surface : index, c.position.data(),
+                                       normal.data(), c.depth, contacts);
+        if (c.rolling) Vec3::Map(added.slide) = wheel.axle.cross(c.normal);
+    }
+}
+
+/// 0 too where the two are no ball or cylinder and no surface of triangles.
+int GeomCollider::roundOnSurface(std::uint32_t first, std::uint32_t second, dContactGeom* found) {
+    const auto isRound = [this](std::uint32_t i) {
+        return m_objects.geoms[i].shape == GeomShape::Sphere || m_objects.geoms[i].shape == GeomShape::Cylinder;
+    };
+    const auto isSurface = [this](std::uint32_t i) { return NearTriangles::isSurface(m_objects.geoms[i].shape); };
+    const bool roundFirst = isRound(first) && isSurface(second);
+    if (!roundFirst && (!isRound(second) || !isSurface(first))) return 0;
+    const std::uint32_t index = roundFirst ? first : second, surface = roundFirst ? second : first;
+    const OdeGeom& g = m_objects.geoms[index];
+    const Vec3& centre = m_objects.centres[index];
+    const std::span<const Triangle> near = m_near.find(surface, index);
+    m_onHulls.clear();
+    if (g.shape == GeomShape::Cylinder)
+        cylinderOnTriangles({centre, m_objects.axesOf(g).col(2), g.radius}, g.half.z(), near, m_onHulls);
+    else ballOnTriangles(centre, g.radius, near, m_objects.geoms[surface].shape != GeomShape::Mesh, m_onHulls);
+    std::ranges::stable_sort(m_onHulls, std::greater(), &SurfaceContact::depth);
+    const std::size_t most = std::min<std::size_t>(m_onHulls.size(), kMaxFound);
+    for (std::size_t i = 0; i < most; ++i) {
+        const SurfaceContact& c = m_onHulls[i];
+        found[i] = {};
+        for (int k = 0; k < 3; ++k) {
+            found[i].pos[k] = c.position[k];
+            found[i].normal[k] = (roundFirst ? 1 : -1) * c.normal[k];
+        }
+        found[i].depth = c.depth;
+    }
+    return static_cast<int>(most);
+}
+
+/// Of two geoms, mostly by ODE, normals towards the first; at most kMaxFound.
+int GeomCollider::collide(std::uint32_t first, std::uint32_t second, dContactGeom* found) {
     const OdeGeom &a = m_objects.geoms[first], &b = m_objects.geoms[second];
+    if (const int round = roundOnSurface(first, second, found)) return round;
+    if (a.shape == GeomShape::Heightfield || b.shape == GeomShape::Heightfield) return collideAsMesh(first, second, found);
     const int count = dCollide(a.id, b.id, kMaxFound, found, sizeof(dContactGeom));
     const bool cylinderFirst = a.shape == GeomShape::Cylinder && b.shape == GeomShape::Box;
     if (count > 0 || (!cylinderFirst && (a.shape != GeomShape::Box || b.shape != GeomShape::Cylinder))) return count;
@@ -171,6 +224,14 @@ int GeomCollider::collide(std::uint32_t first, std::uint32_t second, dContactGeo
         out.depth = std::max(0.0, touch.contacts[i].depth);
     }
     return static_cast<int>(most);
+}
+
+/// With the triangles of the one that is a hull or a height map, of which ODE knows only samples.
+int GeomCollider::collideAsMesh(std::uint32_t first, std::uint32_t second, dContactGeom* found) {
+    const OdeGeom &a = m_objects.geoms[first], &b = m_objects.geoms[second];
+    const bool isSecond = NearTriangles::isSurface(b.shape);
+    const dGeomID mesh = isSecond ? m_near.findAsMesh(second, first) : m_near.findAsMesh(first, second);
+    return mesh ? dCollide(isSecond ? a.id : mesh, isSecond ? mesh : b.id, kMaxFound, found, sizeof(dContactGeom)) : 0;
 }
 
 int GeomCollider::mostContacts(std::uint32_t first, std::uint32_t second) const {
@@ -211,9 +272,14 @@ bool GeomCollider::lineContacts(std::uint32_t first, std::uint32_t second, const
 void GeomCollider::genericContacts(std::uint32_t first, std::uint32_t second, Contacts& contacts) {
     const int most = mostContacts(first, second);
     m_onHulls.clear();
-    if (m_hulls.meet(first, second, most, m_onHulls)) return addHullContacts(first, second, contacts);
     dContactGeom found[kMaxFound];
-    const int count = collide(first, second, found);
+    int count = 0;
+    if (m_hulls.meet(first, second, most, m_onHulls)) {
+        addHullContacts(first, second, contacts);
+        count = roundOnSurface(first, second, found); // beside the end on which it is
+    } else {
+        count = collide(first, second, found);
+    }
     if (count == 0) return;
     if (count == 1 && most > kMaxOfRobots && lineContacts(first, second, vec(found[0].normal)))
         return addHullContacts(first, second, contacts);

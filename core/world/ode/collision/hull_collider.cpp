@@ -181,25 +181,8 @@ bool HullCollider::areOnEnds(std::uint32_t cylinder, const std::vector<SurfaceCo
     return std::ranges::all_of(contacts, [&](const SurfaceContact& c) { return std::abs(c.normal.dot(axis)) >= kFlush; });
 }
 
-/// The mesh triangles that touch the hull's bounding box, in world coordinates.
-std::vector<Triangle> HullCollider::trianglesNear(std::uint32_t mesh, std::uint32_t hull) {
-    const OdeGeom& m = m_objects.geoms[mesh];
-    const Mat3 axes = m_objects.axesOf(m), across = axes.transpose() * m_objects.axesOf(m_objects.geoms[hull]);
-    const Vec3 centre = axes.transpose() * (m_objects.centres[hull] - m_objects.centres[mesh]),
-               reach = across.cwiseAbs() * m_objects.geoms[hull].half;
-    const Vec3 lo = centre - reach, hi = centre + reach;
-    m.data->triangleGrid.query({{lo.x(), lo.y(), lo.z()}, {hi.x(), hi.y(), hi.z()}}, m_near);
-    std::vector<Triangle> triangles;
-    for (const std::uint32_t t : m_near) {
-        Triangle& triangle = triangles.emplace_back();
-        for (std::size_t k = 0; k < 3; ++k)
-            triangle[k] = m_objects.centres[mesh] + axes * Vec3(&m.data->points[3 * m.data->triangles[3 * t + k]]);
-    }
-    return triangles;
-}
-
 /// Whether an end of the cylinder is as level as one of the triangles, and no farther above it than its rim reaches down.
-bool HullCollider::isFlushWith(std::uint32_t cylinder, const std::vector<Triangle>& triangles) const {
+bool HullCollider::isFlushWith(std::uint32_t cylinder, std::span<const Triangle> triangles) const {
     const Vec3 axis = m_objects.axesOf(m_objects.geoms[cylinder]).col(2);
     return std::ranges::any_of(triangles, [&](const Triangle& t) {
         const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
@@ -210,19 +193,36 @@ bool HullCollider::isFlushWith(std::uint32_t cylinder, const std::vector<Triangl
     });
 }
 
-/// False if the pair is not a mesh and a hull or a cylinder that stands on it, or if only edges cross.
+/// Whether contacts on an end of a cylinder overlap its round side less than the end: it is beside them.
+bool HullCollider::isBeside(std::uint32_t cylinder, const std::vector<SurfaceContact>& onEnd) const {
+    const OdeGeom& g = m_objects.geoms[cylinder];
+    Vec3 middle = Vec3::Zero();
+    double deepest = 0;
+    for (const SurfaceContact& c : onEnd) {
+        middle += c.position / static_cast<double>(onEnd.size());
+        deepest = std::max(deepest, c.depth);
+    }
+    return g.radius - (middle - m_objects.centres[cylinder]).cross(m_objects.axesOf(g).col(2)).norm() < deepest;
+}
+
+/// False if the pair is not a mesh or height map and a hull, a box or a cylinder that stands on it, or if only edges cross.
 bool HullCollider::hullOnMesh(std::uint32_t first, std::uint32_t second, int most, std::vector<SurfaceContact>& out) {
-    const auto isMesh = [this](std::uint32_t i) { return m_objects.geoms[i].shape == GeomShape::Mesh; };
+    const auto isMesh = [this](std::uint32_t i) {
+        return m_objects.geoms[i].shape == GeomShape::Mesh || m_objects.geoms[i].shape == GeomShape::Heightfield;
+    };
     const bool hullFirst = isMesh(second);
     const std::uint32_t hull = hullFirst ? first : second, mesh = hullFirst ? second : first;
     const GeomShape shape = m_objects.geoms[hull].shape;
     const bool isCylinder = shape == GeomShape::Cylinder;
-    if (!isMesh(mesh) || (shape != GeomShape::Convex && !isCylinder)) return false;
-    const std::vector<Triangle> near = trianglesNear(mesh, hull);
+    if (!isMesh(mesh) || (shape != GeomShape::Convex && shape != GeomShape::Box && !isCylinder)) return false;
+    const std::span<const Triangle> near = m_near.find(mesh, hull);
     if (isCylinder && !isFlushWith(hull, near)) return false;
     setBody(hull, m_pair.first);
     std::vector<SurfaceContact> contacts = contactsOnSurface(m_pair.first, near);
-    if (isCylinder && !areOnEnds(hull, contacts)) return false;
+    if (isCylinder) { // its round side is not one of this body
+        const Vec3 axis = m_objects.axesOf(m_objects.geoms[hull]).col(2);
+        std::erase_if(contacts, [&](const SurfaceContact& c) { return std::abs(c.normal.dot(axis)) < kFlush; });
+    }
     if (contacts.empty()) return near.empty();
     sortByDepth(contacts);
     for (int round = 0; round < kMaxDirections && !contacts.empty(); ++round) {
@@ -231,6 +231,10 @@ bool HullCollider::hullOnMesh(std::uint32_t first, std::uint32_t second, int mos
         for (const SurfaceContact& c : contacts) (c.normal.dot(way) < kOneDirection ? others : group).push_back(c);
         if (!hullFirst)
             for (SurfaceContact& c : group) c.normal = -c.normal;
+        if (isCylinder && isBeside(hull, group)) {
+            contacts.swap(others);
+            continue;
+        }
         if (isCylinder) addWidest(group, most, out);
         else addSpread(group, most, out);
         contacts.swap(others);

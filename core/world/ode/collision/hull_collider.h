@@ -1,20 +1,20 @@
 #pragma once
-// Contacts of flat faces with each other: of convex hulls with hulls, boxes, ends of cylinders and meshes, and of such ends with planes,
+// Contacts of flat faces with each other: of convex hulls with hulls, boxes, ends of cylinders, meshes and height maps, and of such ends with planes,
 // boxes and each other.
 
 #include <cstdint>
 #include <vector>
 
 #include "world/ode/collision/end_contacts.h"
-#include "world/ode/collision/hull_on_mesh.h"
+#include "world/ode/collision/near_triangles.h"
 #include "world/ode/objects/ode_objects.h"
 
 namespace trundle {
 
 class HullCollider {
 public:
-    /// The objects outlive this; their geoms are where their bodies are.
-    explicit HullCollider(const OdeObjects& objects) : m_objects(objects) {}
+    /// Both outlive this; the geoms are where their bodies are.
+    HullCollider(const OdeObjects& objects, NearTriangles& near) : m_objects(objects), m_near(near) {}
 
     /// Adds the contacts of two geoms, at most `most` of one direction, with normals towards the first. False if they are not two such
     /// shapes, if only edges cross, or if a cylinder's lateral surface touches; the single contact of ODE is used then.
@@ -33,14 +33,14 @@ private:
     [[nodiscard]] double endOnCylinder(std::uint32_t first, std::uint32_t second, std::vector<SurfaceContact>& out) const;
     [[nodiscard]] RoundEnd endTowards(std::uint32_t cylinder, const Vec3& way) const;
     [[nodiscard]] bool areOnEnds(std::uint32_t cylinder, const std::vector<SurfaceContact>& contacts) const;
-    [[nodiscard]] bool isFlushWith(std::uint32_t cylinder, const std::vector<Triangle>& triangles) const;
+    [[nodiscard]] bool isBeside(std::uint32_t cylinder, const std::vector<SurfaceContact>& onEnd) const;
+    [[nodiscard]] bool isFlushWith(std::uint32_t cylinder, std::span<const Triangle> triangles) const;
     [[nodiscard]] bool hullContacts(std::uint32_t first, std::uint32_t second, int most, std::vector<SurfaceContact>& out);
     [[nodiscard]] bool hullOnMesh(std::uint32_t first, std::uint32_t second, int most, std::vector<SurfaceContact>& out);
-    [[nodiscard]] std::vector<Triangle> trianglesNear(std::uint32_t mesh, std::uint32_t hull);
     void setBody(std::uint32_t geom, FlatBody& body) const;
 
     const OdeObjects& m_objects;
-    std::vector<std::uint32_t> m_near; ///< triangles
+    NearTriangles& m_near;
     std::vector<SurfaceContact> m_ends;
     FlatPair m_pair;
 };

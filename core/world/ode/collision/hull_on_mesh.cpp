@@ -88,7 +88,7 @@ void contactsWithBody(const FlatBody& body, const Overlap& o, std::vector<Surfac
 
 } // namespace
 
-std::vector<SurfaceContact> contactsOnSurface(const FlatBody& body, const std::vector<Triangle>& triangles) {
+std::vector<SurfaceContact> contactsOnSurface(const FlatBody& body, std::span<const Triangle> triangles) {
     std::vector<Overlap> overlapping;
     Overlap overlap;
     for (const Triangle& t : triangles)

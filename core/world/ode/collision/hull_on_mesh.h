@@ -2,6 +2,8 @@
 // Contacts of a convex polyhedron with the triangles of a mesh. Both sides of a triangle are solid; the side that contains most
 // of the body is used.
 
+#include <span>
+
 #include "world/ode/collision/hull_contact.h"
 
 namespace trundle {
@@ -14,6 +16,6 @@ struct SurfaceContact {
 using Triangle = std::array<Vec3, 3>;
 
 /// All contacts with these triangles, in the order of the triangles.
-[[nodiscard]] std::vector<SurfaceContact> contactsOnSurface(const FlatBody& body, const std::vector<Triangle>& triangles);
+[[nodiscard]] std::vector<SurfaceContact> contactsOnSurface(const FlatBody& body, std::span<const Triangle> triangles);
 
 } // namespace trundle

@@ -140,11 +140,6 @@ void JointBuilder::findWheels(OdeJoint& joint, const Vec3& anchor, const Vec3& a
         g.wheel = any = true;
         g.axle = turnBack(body.r, axle);
         joint.gapLimit = g.radius / 10;
-        if (g.shape == GeomShape::Cylinder && !g.asSphere) { // two joints may share one wheel
-            g.asSphere = dCreateSphere(nullptr, g.radius);
-            dGeomSetBody(g.asSphere, body.id);
-            dGeomSetOffsetPosition(g.asSphere, g.offset.x(), g.offset.y(), g.offset.z());
-        }
     }
     // Finite rotation keeps the hinge's angle equal to the integral of its rate.
     if (any) dBodySetFiniteRotationMode(body.id, 1);

@@ -24,10 +24,8 @@ bool insertPair(std::vector<IndexPair>& pairs, std::uint32_t first, std::uint32_
 
 OdeObjects::~OdeObjects() {
     try {
-        for (auto g = geoms.rbegin(); g != geoms.rend(); ++g) { // the last one is the first in the list of its body
-            if (g->asSphere) dGeomDestroy(g->asSphere);
+        for (auto g = geoms.rbegin(); g != geoms.rend(); ++g) // the last one is the first in the list of its body
             if (g->id) dGeomDestroy(g->id);
-        }
     } catch (const OdeFault&) { // after a fault some of it may not come apart: better lost than dead
     }
 }

@@ -60,7 +60,6 @@ struct OdeGeom {
     Mat3 axes = Mat3::Identity(); ///< in the body's axes; of a static in the world's
     Vec3 written = Vec3::Ones();  ///< signs of the axes that the text gives it, along these
     dGeomID id = nullptr;
-    dGeomID asSphere = nullptr; ///< a wheel's placeholder against meshes
     std::shared_ptr<ShapeData> data;
     Vec3 surfaceVelocity = Vec3::Zero();
 };
