@@ -89,10 +89,10 @@ void discOnTriangles(const WheelPose& wheel, double along, double least, std::sp
     const Vec3 centre = wheel.centre + along * wheel.axle;
     std::vector<Nearest> all;
     for (const Triangle& t : triangles) {
-        const Vec3 normal = normalOf(t);
-        if (normal.dot(centre - t[0]) < 0 || normal.cross(wheel.axle).norm() < least) continue;
         const auto ends = cut(t, centre, wheel.axle);
         if (!ends) continue;
+        const Vec3 normal = normalOf(t);
+        if (normal.dot(centre - t[0]) < 0 || normal.cross(wheel.axle).norm() < least) continue;
         Nearest& n = all.emplace_back();
         n.normal = normal;
         n.point = nearestOnLine((*ends)[0], (*ends)[1], centre, n.inside);
