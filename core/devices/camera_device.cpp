@@ -19,7 +19,8 @@ void Camera::describe(Describe<Camera>& d) {
     d.field("Near", &Camera::m_near, metres().within(1e-3, 1e4), "What is nearer is not seen.");
     d.field("Far", &Camera::m_far, metres().within(1e-2, 1e5), "What is farther is not seen.");
     d.field("Mode", &Camera::m_mode, oneOf("color|grey|depth|segmentation"), "What each pixel holds.");
-    d.field("Noise", &Camera::m_noise, number().within(0, 1), "Standard deviation of a pixel's brightness; 1 is all of it.");
+    d.field("Noise", &Camera::m_noise, number().within(0, 1),
+            "Standard deviation of a pixel's brightness; 1 is all of it. Of a depth, as a part of it.");
     d.field("Exposure", &Camera::m_exposure, number().above(0).atMost(1000), "Factor on the light that falls in.");
     d.field("Distortion", &Camera::m_distortion, number().within(-1, 10),
             "k1 and k2 of the lens: r (1 + k1 r^2 + k2 r^4); below 0 a barrel, above 0 a cushion.");

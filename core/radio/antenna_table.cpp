@@ -52,6 +52,38 @@ Span spanOf(const std::vector<double>& angles, double at, bool around) {
     return {n - 1, 0, past / gap};
 }
 
+/// Gains over one angle; 0 where there are none. Round: from its last angle on to its first; else beyond both as there.
+class Cut {
+public:
+    Cut(std::vector<GainPoint> points, bool isRound) : m_isRound(isRound) {
+        for (const GainPoint& p : sorted(std::move(points), isRound)) {
+            m_angles.push_back(p.angle);
+            m_gains.push_back(p.gain);
+        }
+    }
+    [[nodiscard]] double at(double angle) const {
+        if (m_angles.empty()) return 0;
+        const Span s = spanOf(m_angles, m_isRound ? wrapped(angle) : angle, m_isRound);
+        return m_gains[s.low] + s.share * (m_gains[s.high] - m_gains[s.low]);
+    }
+    [[nodiscard]] const std::vector<double>& angles() const { return m_angles; }
+    [[nodiscard]] bool isRound() const { return m_isRound; }
+
+private:
+    bool m_isRound;
+    std::vector<double> m_angles, m_gains;
+};
+
+/// Takes elevations between half a turn down and up. Whether some are beyond straight up or down, so that they are of the side behind.
+bool goesRound(std::vector<GainPoint>& elevation) {
+    bool round = false;
+    for (GainPoint& p : elevation) {
+        p.angle = std::remainder(p.angle, kTurn);
+        round = round || std::abs(p.angle) > kTurn / 4 + kSameAngle;
+    }
+    return round;
+}
+
 /// Reads three numbers from a line, separated by commas, semicolons or blanks. False if the line has anything else.
 bool threeNumbers(std::string_view line, double (&out)[3]) {
     std::size_t at = 0;
@@ -104,22 +136,32 @@ AntennaPattern AntennaPattern::mirrored() const {
 }
 
 AntennaPattern AntennaPattern::fromCuts(std::vector<GainPoint> azimuth, std::vector<GainPoint> elevation) {
-    azimuth = sorted(std::move(azimuth), true);
-    elevation = sorted(std::move(elevation), false);
     if (azimuth.empty() && elevation.empty()) return {};
-    Table column;
-    for (const GainPoint& p : elevation) {
-        column.elevations.push_back(p.angle);
-        column.gains.push_back(p.gain);
+    const bool isRound = goesRound(elevation);
+    const Cut level(std::move(azimuth), true), upright(std::move(elevation), isRound);
+    Table table{level.angles(), upright.angles(), {}};
+    if (upright.isRound()) { // over the top to the side behind
+        for (double& e : table.elevations) e = std::remainder(e, kTurn);
+        for (double& e : table.elevations) e = std::abs(e) > kTurn / 4 ? std::copysign(kTurn / 2, e) - e : e;
+        table.elevations.insert(table.elevations.end(), {-kTurn / 4, kTurn / 4});
+        table.azimuths.insert(table.azimuths.end(), {0, kTurn / 2});
     }
-    if (elevation.empty()) column = {{}, {0}, {0}};
-    column.azimuths = {0};
-    if (azimuth.empty()) return fromTable(std::move(column));
-    const double ahead = column.at(0, 0);
-    Table table{{}, column.elevations, {}};
-    for (const GainPoint& p : azimuth) {
-        table.azimuths.push_back(p.angle);
-        for (const double gain : column.gains) table.gains.push_back(p.gain + gain - ahead);
+    for (std::vector<double>* angles : {&table.azimuths, &table.elevations}) {
+        std::ranges::sort(*angles);
+        const auto same = [](double x, double y) { return y - x < kSameAngle; };
+        angles->erase(std::unique(angles->begin(), angles->end(), same), angles->end());
+        if (angles->empty()) angles->push_back(0);
+    }
+    for (const double a : table.azimuths) {
+        const double behind = upright.isRound() ? std::abs(std::remainder(a, kTurn)) / (kTurn / 2) : 0;
+        for (const double e : table.elevations) {
+            const bool isPole = std::abs(e) > kTurn / 4 - kSameAngle; // there every azimuth is the same direction
+            const auto rise = [&](double ahead, double there) {
+                return upright.at(there) - (level.angles().empty() ? 0 : upright.at(ahead));
+            };
+            const double share = isPole ? 0 : behind;
+            table.gains.push_back(level.at(isPole ? 0 : a) + (1 - share) * rise(0, e) + share * rise(kTurn / 2, kTurn / 2 - e));
+        }
     }
     return fromTable(std::move(table));
 }

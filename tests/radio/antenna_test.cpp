@@ -103,7 +103,58 @@ private Q_SLOTS:
         QVERIFY(near(p.gain(0, 0), 6, 1e-9));
         QVERIFY(near(p.gain(0, 45 * kDegree), 1, 1e-9));
         QVERIFY(near(p.gain(M_PI, 0), -6, 1e-9));
-        QVERIFY(near(p.gain(90 * kDegree, -45 * kDegree), 0 - 10, 1e-9));
+        QVERIFY(near(p.gain(90 * kDegree, -45 * kDegree), (0 - 14) / 2., 1e-9));
+    }
+    /// Straight up is one direction, whatever its azimuth.
+    void cutsMeetAtThePoles() {
+        const AntennaPattern p =
+            AntennaPattern::fromCuts({{-180 * kDegree, -20}, {-90 * kDegree, -10}, {0, 5}, {90 * kDegree, -10}},
+                                     {{-90 * kDegree, -20}, {0, 5}, {45 * kDegree, 0}, {90 * kDegree, -5}});
+        for (const double azimuth : {0., 1., 2.5, -3.}) {
+            QVERIFY(near(p.gain(azimuth, 90 * kDegree), -5, 1e-9));
+            QVERIFY(near(p.gain(azimuth, -90 * kDegree), -20, 1e-9));
+        }
+        QVERIFY(near(p.gain(90 * kDegree, 45 * kDegree), -15, 1e-9));
+    }
+    /// As data sheets have them, from 0 to 360 degrees: over the top to the side behind.
+    void anElevationCutGoesAllAround() {
+        const std::vector<GainPoint> around{{0, 6},
+                                            {30 * kDegree, 3},
+                                            {60 * kDegree, -3},
+                                            {90 * kDegree, -6},
+                                            {120 * kDegree, -9},
+                                            {150 * kDegree, -10},
+                                            {180 * kDegree, -12},
+                                            {210 * kDegree, -13},
+                                            {240 * kDegree, -14},
+                                            {270 * kDegree, -15},
+                                            {300 * kDegree, -9},
+                                            {330 * kDegree, 0}};
+        const AntennaPattern alone = AntennaPattern::fromCuts({}, around);
+        const AntennaPattern both =
+            AntennaPattern::fromCuts({{0, 8}, {90 * kDegree, 1}, {180 * kDegree, -5}, {270 * kDegree, 2}}, around);
+        for (const auto& [azimuth, elevation, gain] : {std::tuple{0., 0., 6.},
+                                                       {0., 30., 3.},
+                                                       {0., -30., 0.},
+                                                       {0., -60., -9.},
+                                                       {0., 90., -6.},
+                                                       {0., -90., -15.},
+                                                       {180., 0., -12.},
+                                                       {180., 60., -9.},
+                                                       {180., -45., -13.5},
+                                                       {90., 0., -3.},
+                                                       {-90., 30., -3.5},
+                                                       {70., 90., -6.},
+                                                       {200., -90., -15.}})
+            QVERIFY2(
+                near(alone.gain(azimuth * kDegree, elevation * kDegree), gain, 1e-9),
+                qPrintable(
+                    QString("%1 %2: %3").arg(azimuth).arg(elevation).arg(alone.gain(azimuth * kDegree, elevation * kDegree))));
+        QVERIFY(near(both.gain(0, 30 * kDegree), 8 - 3, 1e-9) && near(both.gain(180 * kDegree, 60 * kDegree), -5 + 3, 1e-9));
+        QVERIFY(near(both.gain(90 * kDegree, 0), 1, 1e-9) &&
+                near(both.gain(90 * kDegree, 30 * kDegree), 1 + (-3 + 2) / 2., 1e-9));
+        const AntennaPattern upper = AntennaPattern::fromCuts({}, {{270 * kDegree, -15}, {0, 0}, {90 * kDegree, -6}});
+        QVERIFY(near(upper.gain(2, -45 * kDegree), -7.5, 1e-9) && near(upper.gain(0, 45 * kDegree), -3, 1e-9));
     }
     void aFileFillsAGrid() {
         const Result<AntennaPattern> p =

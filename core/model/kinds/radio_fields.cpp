@@ -14,7 +14,7 @@ void AntennaPatternFields::describe(Describe<AntennaPatternFields>& d) {
     d.field("Azimuth", &AntennaPatternFields::azimuth, pairs,
             "Measured, at elevation 0: an angle (deg, to the left), its gain (dBi), the next angle ...");
     d.field("Elevation", &AntennaPatternFields::elevation, pairs,
-            "Measured, at azimuth 0: an angle (deg, upwards), its gain (dBi), the next angle ...");
+            "Measured, at azimuth 0, beyond 90 behind: an angle (deg, upwards), its gain (dBi), the next angle ...");
     d.field("File", &AntennaPatternFields::file, trundle::file("csv"),
             "Measured all around: lines of azimuth, elevation (deg) and gain (dBi) that fill a grid.");
 }
