@@ -61,6 +61,10 @@ void addRobotOptions(CLI::App& command, RobotArguments& a) {
 }
 
 ExitCode makeNewRobot(const RobotArguments& arguments, const std::string& name, const std::string& parent) {
+    if (arguments.wheelBase && (arguments.base == "differential" || arguments.base == "omni")) {
+        printProblem("--wheelbase: a base that is " + arguments.base + " has no two axles; skid-steer, mecanum and ackermann have");
+        return kExitUsage;
+    }
     const Result<NewRobot> made = makeRobot(designOf(arguments, name), parent);
     if (!made) {
         printProblem(made.error().message);

@@ -25,7 +25,9 @@ ChassisMotion Drive::follow(Actuation& world, const ChassisMotion& velocity, con
     if (amount.linear == 0 && amount.lateral == 0 && amount.angular == 0) {
         m_profile.aim(velocity);
     } else if (isNew) {
-        if (const auto why = m_profile.start(velocity, amount, limits())) world.warn("command refused: " + *why);
+        const std::string why = m_profile.start(velocity, amount, limits()).value_or("");
+        if (!why.empty() && why != m_refused) world.warn("command refused: " + why); // not in each tick
+        m_refused = why;
     }
     return m_profile.next(limits(), world.tick());
 }

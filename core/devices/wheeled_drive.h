@@ -48,7 +48,8 @@ private:
 
     double m_maxAcceleration = 1, m_maxAngularAcceleration = 4;
     DriveProfile m_profile;
-    double m_seen = 0; ///< sequence number of the last amount started or refused
+    double m_seen = 0;     ///< sequence number of the last amount started or refused
+    std::string m_refused; ///< why, of the last one
 };
 
 /// What drives on wheels share: driven wheels and the control of their motors.

@@ -118,9 +118,16 @@ private Q_SLOTS:
         QVERIFY(base.robot.warnings[0].find("refused") != std::string::npos);
         QCOMPARE(base.at("finished"), 1.); // so a controller that waits for it continues
         QCOMPARE(base.at("odometry", 0), 0.);
+        base.command(0, 0, 1, 0); // the same once more
+        base.robot.run(1);
+        QCOMPARE(base.robot.warnings.size(), std::size_t(1));
+        QCOMPARE(base.at("finished"), 2.);
         base.command(.2, 0, .1, 0);
         base.robot.run(2);
         QVERIFY(std::abs(base.at("odometry", 0) - .1) < 1e-12);
+        base.command(0, 0, 1, 0);
+        base.robot.run(1);
+        QCOMPARE(base.robot.warnings.size(), std::size_t(2));
     }
 
     void newAmountStartsOnlyWithTheSequence() {

@@ -95,6 +95,7 @@ private Q_SLOTS:
         row("reserved, of an arena", {"arena", "Param"}, "a reserved word");
         row("a sign", {"arena", "My-Room"}, "letters, digits and _, like Office");
         row("a maze of a robot", {"robot", "Never", "--maze", "3", "3"}, "--maze: it is for `new arena`, not for `new robot`");
+        row("two axles of one", {"robot", "Never", "--wheelbase", "0.3"}, "--wheelbase: a base that is differential has no two axles");
         row("a wheel of an arena", {"arena", "Never", "--wheel-radius", "0.1"}, "it is for `new robot`, not for `new arena`");
         row("walls of a controller", {"controller", "Never", "--light-walls"}, "it is for `new arena`, not for `new controller`");
         row("a base of a component", {"component", "Never", "--base", "omni"}, "it is for `new robot`, not for `new component`");
