@@ -82,6 +82,18 @@ private Q_SLOTS:
         QTest::newRow("outside") << "out.dae"
                                  << QByteArray("<init_from>../secret.png</init_from><init_from>/etc/passwd</init_from>")
                                  << QStringList{};
+
+        QTest::newRow("glTF with data that is a name")
+            << "data.gltf" << QByteArray(R"({"images":[{"uri":"data:paint.png"}]})") << QStringList{};
+        QTest::newRow("a path with file:// inside")
+            << "odd.dae" << QByteArray("<init_from>file://xfile://paint.png</init_from>") << QStringList{"paint.png"};
+        QTest::newRow("twice") << "twice.dae" << QByteArray("<init_from>paint.png</init_from><init_from>./paint.png</init_from>")
+                               << QStringList{"paint.png"};
+        QTest::newRow("a word alone") << "word.obj" << QByteArray("mtllib\nmtllib cup.mtl\n")
+                                      << QStringList{"cup.mtl", "paint.png", "textures/dots.jpg"};
+        QTest::newRow("an ending with a Z") << "cup.DAE" << QByteArray("<init_from>paint.png</init_from>")
+                                            << QStringList{"paint.png"};
+
         QTest::newRow("STL") << "cup.stl" << QByteArray("solid mtllib cup.mtl") << QStringList{};
     }
     void findsWhatAMeshRefersTo() {

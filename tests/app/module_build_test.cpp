@@ -39,6 +39,15 @@ private Q_SLOTS:
         QTest::newRow("time") << QByteArray("ended at 12:13:14: error") << QByteArray();
         QTest::newRow("huge number") << QByteArray("a.cpp:99999999999999:1: error: x")
                                      << QByteArray("0 a.cpp:99999999999999 1 0 x"); // of a file that does not exist
+
+        QTest::newRow("twice") << QByteArray(
+                                      "/usr/bin/ld: /p/a: b.cpp:9: multiple definition of `f()'; x.cpp:3: first defined here")
+                               << QByteArray("0 b.cpp 9 0 multiple definition of `f()'; x.cpp:3: first defined here");
+        QTest::newRow("without a file") << QByteArray(":12:3: error: x") << QByteArray();
+        QTest::newRow("of another system") << QByteArray("a.cpp:1:2: error: x\r") << QByteArray("0 a.cpp 1 2 x");
+        QTest::newRow("cmake text in the line")
+            << QByteArray("CMake Error: the source is gone") << QByteArray("0  0 0 the source is gone");
+
         QTest::newRow("empty") << QByteArray() << QByteArray();
     }
     void readsLines() {
@@ -131,6 +140,70 @@ private Q_SLOTS:
         const auto made = makeModule(ModuleTemplate::PythonController, "Wander", path(""), findLocations());
         QVERIFY(made.ok() && made.value().source == path("wander/wander.py") && QFile::exists(QString::fromStdString(made.value().source)));
         QVERIFY(!makeModule(ModuleTemplate::Controller, "Wander", path(""), findLocations()).ok()); // nothing is replaced
+    }
+
+    /// The last line of a file has a place; the same words as error and as warning are two; of many messages the first 200.
+    void listsMessages() {
+        write("m/b.cpp", "int a;\nint b;");
+        const auto read = [&](const std::string& output) {
+            return readBuildOutput(output, path("m"), path(""), [](const std::string&) { return true; });
+        };
+        const BuildMessages last =
+            read("b.cpp:2:5: error: b\nb.cpp:2:5: warning: b\nb.cpp:3:1: error: none\nb.cpp:1:1: error: a\n"
+                 "b.cpp:2: error: without a column\n");
+        QCOMPARE(last.found.size(), std::size_t(5));
+        QCOMPARE(last.sources->sources.slice(last.found[0].range), std::string_view("b"));
+        QVERIFY(!last.found[2].range.known());
+        QCOMPARE(last.sources->sources.slice(last.found[3].range), std::string_view("int"));
+        QCOMPARE(last.sources->sources.slice(last.found[4].range), std::string_view("int"));
+        std::string many;
+        for (int i = 0; i < 201; ++i) many += "b.cpp:1:1: error: number " + std::to_string(i) + "\n";
+        QCOMPARE(read(many).found.size(), std::size_t(200));
+        QCOMPARE(read(many + "b.cpp:1:1: note: of the last\n").found.back().notes.size(), std::size_t(0));
+    }
+
+    void aBuildByNinjaIsConfigured() {
+        write("ninja/build/build.ninja", "");
+        const auto steps = buildSteps(path("ninja"), findLocations());
+        QCOMPARE(steps.size(), std::size_t(1));
+        QCOMPARE(steps[0][1], path("ninja/build"));
+        write("mods2/CMakeLists.txt", "");
+        QVERIFY(QDir().mkpath(QString::fromStdString(path("mods2/folder.cpp"))));
+        QCOMPARE(sourcesOfModule(path("mods2/x.so"), path("")), std::vector<std::string>{path("mods2/CMakeLists.txt")});
+    }
+
+    void namesOfFilesAndConfigs() {
+        for (const auto& [kind, module] : {std::pair("Wall_Run", "wall_run"),
+                                           {"LEDz", "le_dz"},
+                                           {"A", "a"},
+                                           {"AB", "ab"},
+                                           {"ABc", "a_bc"},
+                                           {"Robot2D", "robot2_d"}})
+            QCOMPARE(moduleNameFor(kind), std::string(module));
+        QVERIFY(kindNameFault("W" + std::string(59, 'a')).empty() && !kindNameFault("W" + std::string(60, 'a')).empty());
+        const auto fault = [](const char* name) { return configNameFault("a robot", name, "Rover", "OpenFloor"); };
+        QCOMPARE(fault("Rover2"), std::string());
+        for (const auto& [name, words] : {std::pair("", "a robot needs a name"),
+                                          {"Param", "a reserved word"},
+                                          {"OpenFloor", "imports a config of that name"},
+                                          {"rover", "its name is a capital letter"}})
+            QVERIFY2(fault(name).find(words) != std::string::npos, name);
+    }
+
+    /// Paths with blanks and quotes are one word of a shell; a kind may contain its own template's name.
+    void commandLinesAreForAShell() {
+        QVERIFY(QDir().mkpath(QString::fromStdString(path("it's here"))));
+        const auto made = makeModule(ModuleTemplate::Controller, "MyControllerTwo", path("it's here"), findLocations());
+        QVERIFY2(made.ok(), made.ok() ? "" : made.error().message.c_str());
+        const std::string folder = path("it's here/my_controller_two");
+        QVERIFY(made.value().folder == folder && made.value().library == folder + "/build/libmy_controller_two.so");
+        QVERIFY(std::ranges::is_sorted(made.value().files));
+        const std::string shown = "'" + path("it'\\''s here/my_controller_two") + "'";
+        QCOMPARE(made.value().build, "cmake --build " + shown + "/build");
+        QFile source(QString::fromStdString(made.value().source));
+        QVERIFY(source.open(QIODevice::ReadOnly));
+        const QByteArray text = source.readAll();
+        QVERIFY(text.contains("MyControllerTwo") && !text.contains("MyControllerTwoTwo"));
     }
 
 private:

@@ -315,7 +315,7 @@ private Q_SLOTS:
     /// Of what a reader writes about a failure a message has the first line that is not empty, its beginning.
     void aFailureHasTheFirstLineOfItsReader() {
         const std::string program =
-            sample("reader", "#!/bin/sh\nprintf '\\n\\nno \\ttri\\033angles%0400d\\nmore' 7 >&2\nexit 1\n");
+            sample("reader", "#!/bin/sh\nprintf '\\n\\nno \\ttri\\033angles\177%0400d\\nmore' 7 >&2\nexit 1\n");
         QVERIFY(QFile::setPermissions(QString::fromStdString(program), QFile::ReadOwner | QFile::ExeOwner));
         const std::string path = sample("a.obj", "v 0 0 0\n");
         const auto mesh = AssetReader(program).mesh(path);
@@ -331,6 +331,28 @@ private Q_SLOTS:
         const auto mesh = AssetReader(TRUNDLE_MESHREADER, {.fileBytes = size - 1}).mesh(path);
         QVERIFY(!mesh.ok());
         QCOMPARE(mesh.error().message, "cannot read " + path + ": it is larger than 0 MiB");
+    }
+
+    /// By its ending, in letters of any size, at the end of the path; also for what is cached.
+    void otherFilesAreNotRead() {
+        const QByteArray triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+        QVERIFY(m_reader->mesh(sample("a.OBJ", triangle)).ok());
+        QVERIFY(m_reader->mesh(sample("z.obj", triangle)).ok());
+        QVERIFY(QDir(m_folder->path()).mkdir("b.obj"));
+        const std::string inside = sample("b.obj/plain", triangle), picture = sample("a.png", "x"),
+                          text = sample("a.txt", triangle);
+        for (const std::string& path : {inside, picture, text}) {
+            const auto cached = m_reader->cachedMesh(path);
+            QVERIFY(cached && !cached->ok() && cached->error().message.find("a mesh is an OBJ") != std::string::npos);
+            QCOMPARE(m_reader->mesh(path).error().message, cached->error().message);
+        }
+        for (const auto& message :
+             {m_reader->cachedPicture(text)->error().message, m_reader->cachedHeightMap(text)->error().message,
+              m_reader->picture(text).error().message, m_reader->heightMap(text).error().message})
+            QVERIFY(message.find("a picture is a PNG") != std::string::npos);
+        const auto large =
+            AssetReader(TRUNDLE_MESHREADER, {.fileBytes = 3u << 20}).mesh(sample("l.obj", QByteArray((3 << 20) + 1, ' ')));
+        QVERIFY2(large.error().message.ends_with("it is larger than 3 MiB"), large.error().message.c_str());
     }
 
 private:

@@ -168,6 +168,57 @@ private Q_SLOTS:
         QVERIFY(!decodeHeightMap(encodeHeightMap({1, 4, {0, 0, 0, 0}})).ok());
         QVERIFY(!decodeHeightMap(encodeHeightMap({65536, 65536, {}})).ok()); // the product of the sizes overflows 32 bits to 0
     }
+    /// What materials share is there once; limits of numbers, of warnings and of all pictures together.
+    void limitsOfAppearances() {
+        auto raster = std::make_shared<Raster>(Raster{2, 1, {1, 2, 3, 4, 5, 6}});
+        MeshAppearance look;
+        look.materials = {{{1, 0, 1}, {0, 1, 0}, 1, 0, raster}, {{0, 0, 0}, {0, 0, 0}, 0, 1, raster}};
+        look.material = {0, 1};
+        look.onPicture.resize(2);
+        look.warnings = {std::string(kMaxWarningBytes, 'w')};
+        const auto shared = decodeAppearance(encodeAppearance(look), 2);
+        QVERIFY2(shared.ok(), shared.ok() ? "" : shared.error().message.c_str());
+        QVERIFY(shared.value()->materials[0].picture == shared.value()->materials[1].picture);
+        QCOMPARE(shared.value()->warnings[0].size(), std::size_t(kMaxWarningBytes));
+        const auto isRefused = [](MeshAppearance other) {
+            return !decodeAppearance(encodeAppearance(other), other.material.size()).ok();
+        };
+        MeshAppearance changed = look;
+        changed.warnings[0] += "w";
+        QVERIFY(isRefused(changed));
+        for (const float emission : {1.01f, -0.01f}) {
+            changed = look;
+            changed.materials[1].emission[2] = emission;
+            QVERIFY(isRefused(changed));
+        }
+        for (const float place : {-2e6f, 2e6f}) {
+            changed = look;
+            changed.onPicture[0][0][0] = place;
+            QVERIFY(isRefused(changed));
+        }
+        changed = look;
+        changed.warnings.assign(kMaxWarnings + 1, "");
+        QVERIFY(isRefused(changed));
+        changed.warnings.pop_back();
+        QVERIFY(!isRefused(changed));
+        changed = look;
+        changed.materials.assign(kMaxMeshPictures + 1, look.materials[0]);
+        for (auto& material : changed.materials) material.picture = std::make_shared<Raster>(*raster);
+        QVERIFY(isRefused(changed));
+        changed.materials.pop_back();
+        QVERIFY(!isRefused(changed));
+        for (const bool isWide : {true, false}) {
+            changed = look;
+            const std::uint32_t side = kMaxRasterSide + 1;
+            changed.materials[0].picture =
+                std::make_shared<Raster>(Raster{isWide ? side : 1, isWide ? 1 : side, std::vector<std::uint8_t>(side * 3)});
+            QVERIFY(isRefused(changed));
+        }
+    }
+
+    void picturesWithoutAPixelAreRefused() {
+        QVERIFY(!decodeRaster(encodeRaster({0, 5, {}})).ok() && !decodeRaster(encodeRaster({5, 0, {}})).ok());
+    }
 };
 
 QTEST_APPLESS_MAIN(MeshStreamTest)

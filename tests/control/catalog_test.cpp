@@ -202,6 +202,47 @@ private Q_SLOTS:
                  Code::ModuleWrongFormat);
     }
 
+    void fileNamesOfOtherFoldersAndSystems() {
+        const auto names = [](const char* written) {
+            QStringList all;
+            for (const std::string& name : moduleFileNames(written)) all << QString::fromStdString(name);
+            return all.join(' ');
+        };
+        QCOMPARE(names("/abs/drive"), QString("/abs/libdrive.so /abs/drive.so /abs/drive.py"));
+        QCOMPARE(names("x/libdrive.so"), QString("x/liblibdrive.so x/libdrive.so liblibdrive.so libdrive.so"));
+        QCOMPARE(names("x/drive.DLZ"),
+                 QString("x/libdrive.DLZ.so x/drive.DLZ.so x/drive.DLZ.py libdrive.DLZ.so drive.DLZ.so drive.DLZ.py"));
+        QCOMPARE(names("libbrain.py"), QString("libbrain.py"));
+    }
+
+    /// The first of several untrusted ones is named; sources count in the folder of their build alone.
+    void namesTheFirstThatIsNotTrusted() {
+        put("experiments/libgood.so", false);
+        put("experiments/good.so", false);
+        const auto untrusted = DirectoryCatalog({{}, path("program"), {}, false}).find("good", path("experiments"));
+        QVERIFY(untrusted.error().message.find(path("experiments/libgood.so")) != std::string::npos);
+        put("experiments/walker/CMakeLists.txt", false);
+        const auto missing = DirectoryCatalog({{}, path("program"), {}, false}).find("walker/other/walker", path("experiments"));
+        QVERIFY(missing.error().code == Code::ModuleNotFound && missing.error().message.find("sources") == std::string::npos);
+    }
+
+    /// Of two libraries with a kind the first by name; of the folders below alone; suggestions keep the names of Python files.
+    void kindsOfTheProgramsFolder() {
+        put("program/b/libgood.so", true);
+        put("program/a/libgood.so", true);
+        DirectoryCatalog catalog({{}, path("program"), {}, false});
+        const std::string kind = catalog.find("a/good", path("experiments")).value().kinds.at(0).name;
+        QCOMPARE(catalog.moduleWith(kind), "a/good");
+        put("program/c/deep/libfar.so", false);
+        QFile script(m_folder->filePath("program/a/libtool.py"));
+        QVERIFY(script.open(QIODevice::WriteOnly));
+        const auto meant = [&](const char* written) {
+            return DirectoryCatalog({{}, path("program"), {}, false}).find(written, path("experiments")).error().message;
+        };
+        QVERIFY2(meant("a/libtol.py").find("did you mean a/libtool.py?") != std::string::npos, meant("a/libtol.py").c_str());
+        QVERIFY2(meant("c/far").find("did you mean") == std::string::npos, meant("c/far").c_str());
+    }
+
     void handlesStrangeNames() {
         DirectoryCatalog catalog({{}, path("program"), {}, true});
         for (const std::string& written : {std::string(), std::string("/"), std::string(".."), std::string(5000, 'x'),

@@ -75,6 +75,23 @@ private Q_SLOTS:
         QCOMPARE(block[pair.entry("r1/base/speed").offset], pair.block[pair.entry("r1/base/speed").offset]);
         QCOMPARE(block[pair.entry("r1/brain/best").offset], 5.0);
     }
+    /// What is published may lie apart, and another controller's name may begin alike.
+    void publishedSignalsThatLieApart() {
+        SignalLayout layout;
+        layout.beginRobot("r");
+        layout.add("brain/a", "", SignalType::Real, SignalDirection::Output, 2);
+        layout.add("brain/b", "", SignalType::Real, SignalDirection::Output, 1);
+        layout.add("brain2/a", "", SignalType::Real, SignalDirection::Output, 1);
+        layout.add("brain/c", "", SignalType::Real, SignalDirection::Output, 1);
+        RobotSpec robot;
+        robot.name = "r";
+        robot.controllers.push_back({{"Kind", "brain", {}, {}, {}}, {}});
+        MemberSlots slots;
+        const std::size_t count = slots.place(robot, robot.controllers[0], layout, 2);
+        std::vector<double> commands(count, 7), block(layout.slotCount(), 0);
+        slots.copyOut(commands, block);
+        QCOMPARE(block, (std::vector<double>{7, 7, 7, 0, 7}));
+    }
 };
 
 QTEST_APPLESS_MAIN(MemberSlotsTest)

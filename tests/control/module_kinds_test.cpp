@@ -128,6 +128,38 @@ private Q_SLOTS:
             t.makeDevice();
             t.fields[0].name = "UpdatePeriod";
         });
+
+        row("a name with a 0", fine, [](Tables& t) { t.fields[2].name = "Way0"; });
+        row("a name of digits and _", fine, [](Tables& t) { t.fields[2].name = "_90"; });
+        row("signals counted by two fields", fine, [](Tables& t) {
+            t.makeDevice();
+            for (const std::size_t i : {0u, 2u}) {
+                t.fields[i].type = TRUNDLE_INTEGER;
+                t.fields[i].minimum = 1;
+                t.fields[i].minCount = t.fields[i].maxCount = 1;
+            }
+            t.fields[2].flags = 0; // required: it needs no default
+            t.signals[0].countFields = 1 | 3u << 16;
+        });
+        row("the second of which is none", own("has a broken signal, number 1"), [](Tables& t) {
+            t.makeDevice();
+            t.fields[0].type = TRUNDLE_INTEGER;
+            t.fields[0].minimum = 1;
+            t.signals[0].countFields = 1 | 4u << 16;
+        });
+        row("signals of ABI 1.2", fine, [](Tables& t) {
+            t.module.abiMinor = 2;
+            t.signals[0].direction = TRUNDLE_COMMAND;
+        });
+        row("a command of ABI 1.3", own("has a signal where that is no output"), [](Tables& t) {
+            t.module.abiMinor = 3;
+            t.signals[0].direction = TRUNDLE_COMMAND;
+        });
+        row("alternatives behind the end of ABI 1.0", fine, [](Tables& t) {
+            t.kind.size = offsetof(TrundleKind, alternatives);
+            t.kind.alternativesCount = 5000;
+        });
+
         row("a signal twice", own("has two signals named where"), [](Tables& t) { t.signals[1].name = "where"; });
         row("a signal and a field of one name", fine, [](Tables& t) { t.signals[1].name = "Speed"; });
         row("signal name", own("has a signal whose name 'a/b' is no name"), [](Tables& t) { t.signals[1].name = "a/b"; });
@@ -219,6 +251,18 @@ private Q_SLOTS:
     }
 
     void noModule() { QVERIFY(!kindsOfModule(nullptr, "lib.so").ok()); }
+    void fieldsOfEveryControllerComeOnce() {
+        Tables t;
+        Kind kind = kindsOfModule(&t.module, "lib.so").value().at(0);
+        addControllerFields(kind);
+        const std::size_t once = kind.properties.size();
+        addControllerFields(kind);
+        QCOMPARE(kind.properties.size(), once);
+        t.makeDevice();
+        Kind device = kindsOfModule(&t.module, "lib.so").value().at(0);
+        addControllerFields(device);
+        QCOMPARE(device.properties.size(), std::size_t(3));
+    }
 };
 
 QTEST_APPLESS_MAIN(ModuleKindsTest)

@@ -114,8 +114,23 @@ private Q_SLOTS:
         QCOMPARE(names.look("", "pose")->path, std::string("rover/pose"));
         QCOMPARE(names.look("scan2", "")->path, std::string("rover/scan2/ranges"));
         QCOMPARE(names.look("scan", "")->path, std::string("rover/scan/ranges"));
-        for (const auto& [device, signal] : {std::pair{"scan3", "ranges"}, {"scan", "range"}, {"eye", ""}, {"", "seen"}})
+        for (const auto& [device, signal] :
+             {std::pair{"scan3", "ranges"}, {"scan", "range"}, {"eye", ""}, {"", "seen"}, {"brain", "seen"}, {"none", ""}})
             QVERIFY(!names.look(device, signal));
+    }
+    /// Of many names the first thirty.
+    void manyNamesAreCut() {
+        Ports ports;
+        auto config = std::make_shared<RobotConfigSpec>();
+        const auto text = [&](std::size_t count) {
+            config->devices.clear();
+            for (std::size_t i = 0; i < count; ++i) config->devices.push_back({"Led", "l" + std::to_string(i), {}, {}, {}});
+            ports.robot.config = config;
+            return ports.names().bind("Led", "none", "lit").error().message;
+        };
+        const std::string whole = text(30), cut = text(31);
+        QVERIFY2(whole.ends_with("l28, l29)"), whole.c_str());
+        QVERIFY2(cut.ends_with("l28, l29 ...)"), cut.c_str());
     }
 };
 

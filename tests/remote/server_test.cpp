@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "app/application.h"
+#include "remote/peer.h"
 #include "remote/server.h"
 #include "run/experiment_runner.h"
 #include "run/fake_world.h"
@@ -17,31 +18,6 @@ using Json = nlohmann::json;
 namespace {
 
 constexpr int kManyRounds = 200'000;
-
-/// The other end of a client's socket.
-struct Peer {
-    Socket socket;
-    FrameReader reader{{1u << 26, 1u << 26}};
-    std::vector<std::pair<Json, std::string>> events;
-
-    void write(std::string_view bytes) { QCOMPARE(socket.write(bytes).value_or(0), bytes.size()); }
-    void ask(const Json& request) {
-        std::string bytes;
-        appendFrame(bytes, request.dump());
-        write(bytes);
-    }
-    /// Takes what has arrived; the first reply, if there is one.
-    std::optional<std::pair<Json, std::string>> take() {
-        std::vector<char> bytes(1u << 20);
-        for (auto got = socket.read(bytes); got && *got > 0; got = socket.read(bytes)) reader.add(std::span(bytes).first(*got));
-        while (auto frame = reader.next().value()) {
-            std::pair message(Json::parse(frame->json), std::move(frame->bytes));
-            if (!message.first.contains("event")) return message;
-            events.push_back(std::move(message));
-        }
-        return std::nullopt;
-    }
-};
 
 const char* const kText =
     "Seed = 3\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n"

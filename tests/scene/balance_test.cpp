@@ -209,6 +209,88 @@ private Q_SLOTS:
             QVERIFY(!balanceOf(experiment));
         }
     }
+
+    /// On its ends: a lying cylinder and capsule, a mesh; on feet of which one is a little shorter.
+    void shapesRestOnTheirEnds_data() {
+        QTest::addColumn<int>("shape");
+        QTest::addColumn<double>("level");
+        QTest::newRow("cylinder") << int(GeomShape::Cylinder) << -0.05;
+        QTest::newRow("capsule") << int(GeomShape::Capsule) << -0.05;
+        QTest::newRow("mesh") << int(GeomShape::Mesh) << -0.02;
+    }
+    void shapesRestOnTheirEnds() {
+        QFETCH(int, shape);
+        QFETCH(double, level);
+        BodySpec body = boxBody(Vec3::Constant(0.1), {1, 0, 0}, 2);
+        GeomSpec& geom = body.geoms[0];
+        geom.shape = GeomShape(shape);
+        geom.radius = 0.05;
+        geom.length = 0.3;
+        geom.pose = {Vec3(0.1, 0.2, 0), rotationFromHpr({0, std::numbers::pi / 2, 0})}; // along x
+        auto mesh = std::make_shared<TriangleMesh>();
+        mesh->points = {{0.02, 0, -0.15}, {0.02, 0, 0.15}, {-0.05, 0, 0}};
+        if (geom.shape == GeomShape::Mesh) geom.mesh = mesh;
+        const auto balance = balanceOf(experimentOf({body}));
+        QVERIFY(balance);
+        QCOMPARE(balance->polygon.size(), std::size_t(2));
+        double low = 9, high = -9;
+        for (const Vec3& p : balance->polygon) low = std::min(low, p.x()), high = std::max(high, p.x());
+        QVERIFY(std::abs(low - 0.95) < 1e-9 && std::abs(high - 1.25) < 1e-9);
+        QVERIFY2(std::abs(balance->level - level) < 1e-9, qPrintable(QString::number(balance->level)));
+    }
+
+    void feetOfNearlyTheSameLengthCarry() {
+        for (const auto& [shorter, corners] : {std::pair(1e-3, 8), {3e-3, 4}}) {
+            BodySpec body = boxBody({0.1, 0.1, 0.1}, {0, 0, 0.05}, 1);
+            GeomSpec other = body.geoms[0];
+            other.pose.position = {0.5, 0.3, shorter};
+            body.geoms.push_back(other);
+            const auto balance = balanceOf(experimentOf({body}));
+            QVERIFY(balance && balance->level == 0);
+            QCOMPARE(balance->polygon.size(), std::size_t(corners == 8 ? 6 : 4)); // the hull of two squares
+        }
+    }
+
+    void fixedBodiesWeighNothing() {
+        BodySpec anchor = boxBody(Vec3::Constant(0.1), {5, 0, 0.05}, 3);
+        anchor.isFixed = true;
+        const auto experiment = experimentOf({boxBody(Vec3::Constant(0.1), {1, 0, 0.05}, 2), anchor});
+        QCOMPARE(massOf(ObjectIndex(experiment), 0, startPoses(*experiment)).mass, 2.0);
+    }
+
+    void axesAreRightHandedInAnyOrder() {
+        Vec3 moments(0.02, 0.03, 0.04);
+        std::sort(moments.data(), moments.data() + 3);
+        do {
+            for (const Vec3& turn : {Vec3(0, 0, 0), Vec3(0.4, 0.7, -1.1), Vec3(2, -1, 0.3)}) {
+                const Mat3 r = rotationFromHpr(turn).toRotationMatrix();
+                const InertiaEllipsoid made = ellipsoidOf({0.5, Vec3::Zero(), r * moments.asDiagonal() * r.transpose()});
+                QVERIFY(std::abs(made.axes.determinant() - 1) < 1e-9);
+                for (int k = 0; k < 3; ++k)
+                    QVERIFY(std::abs(made.semiAxes[k] - std::sqrt(5 * (0.09 - 2 * made.moments[k]))) < 1e-9);
+            }
+        } while (std::next_permutation(moments.data(), moments.data() + 3));
+    }
+
+    void textsAtTheirLimits() {
+        Balance balance;
+        balance.polygon = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
+        for (const auto& [margin, text] : {std::pair(0.01, "Stable: 10 mm to the edge"),
+                                           {0.0099, "Stable: 9.9 mm to the edge"},
+                                           {0., "Falls over: 0.0 mm beyond the edge"}}) {
+            balance.margin = margin;
+            QCOMPARE(balanceText(balance), std::string(text));
+        }
+    }
+
+    void theNearestEdgeEndsAtItsCorners() {
+        Balance balance; // the centre is beside both ends of the long edge's line
+        balance.polygon = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 4, 0), Vec3(0, 4, 0)};
+        balance.centre = {0.9, 3.8, 0};
+        QVERIFY(nearestEdge(balance).isApprox(Vec3(1, 3.8, 0), 1e-12));
+        balance.centre = {-1, 5, 0};
+        QVERIFY(nearestEdge(balance).isApprox(Vec3(0, 4, 0), 1e-12));
+    }
 };
 
 QTEST_APPLESS_MAIN(BalanceTest)

@@ -139,6 +139,33 @@ private Q_SLOTS:
             QVERIFY(at && at->x > 0 && at->x < 640 && at->y > 0 && at->y < 480);
         }
     }
+
+    void lookingAlongItsOwnUp() {
+        for (const Vec3& up : {Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(1, 0, 0), Vec3(0, 0, 1)}) {
+            CameraView view;
+            view.eye = 2 * up;
+            view.target = Vec3::Zero();
+            view.up = up;
+            const Mat3 axes = cameraAxes(view);
+            QVERIFY((axes * axes.transpose() - Mat3::Identity()).norm() < 1e-9 && axes.determinant() > 0);
+        }
+    }
+
+    void aPointIsSeenFromSomeWay() {
+        const CameraView view = viewOf({Vec3(1, 2, 3), Vec3(1, 2, 3)}, 400, 300);
+        QVERIFY((view.target - Vec3(1, 2, 3)).norm() < 0.02 && (view.eye - view.target).norm() > 0.05);
+    }
+
+    void aSettledViewIsRoundInAll() {
+        CameraView view;
+        view.eye = {1 / 3., 0, 0};
+        view.target = {0, 1 / 3., 0};
+        view.up = {0.1, 1 / 3., 1};
+        const CameraView once = settled(view), twice = settled(once);
+        for (const auto& [a, b] : {std::pair(once.eye, twice.eye), {once.target, twice.target}, {once.up, twice.up}})
+            QVERIFY(a == b);
+        for (int k = 0; k < 3; ++k) QCOMPARE(once.up[k] * (1 << 20), std::round(once.up[k] * (1 << 20)));
+    }
 };
 
 QTEST_APPLESS_MAIN(ViewTest)

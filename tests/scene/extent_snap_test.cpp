@@ -201,6 +201,29 @@ private Q_SLOTS:
             }
         }
     }
+
+    /// The rectangle has its four corners, in their order.
+    void guidesGoAround() {
+        const ExtentSnap snap = along(extentsOf(kit(), "kit.lid"), 2, -0.154);
+        QCOMPARE(snap.guides.size(), std::size_t(4));
+        double length = 0;
+        for (std::size_t i = 0; i < 4; ++i) {
+            QVERIFY(snap.guides[i][1].isApprox(snap.guides[(i + 1) % 4][0]));
+            const Vec3 side = snap.guides[i][1] - snap.guides[i][0];
+            QVERIFY(side.cwiseAbs().minCoeff() < 1e-12 && (std::abs(side.x()) < 1e-12 || std::abs(side.y()) < 1e-12));
+            length += side.norm();
+        }
+        QVERIFY(isClose(length, 2 * (0.537 + 0.43)));
+    }
+
+    /// Neither what is not seen of it, nor of the others.
+    void whatIsNotSeenDoesNotCount() {
+        GeomSpec hidden = box("hidden", {2, 2, 2});
+        hidden.visible = false;
+        const SnapExtents whole = extentsOf(kit({}, {hidden}), "kit.chassis");
+        QVERIFY(whole.thing.low.isApprox(Vec3(-0.187, -0.1, 0.05)) && whole.thing.high.isApprox(Vec3(0.213, 0.1, 0.13)));
+        QCOMPARE(extentsOf(kit({}, {hidden}), "kit.lid").targets.size(), extentsOf(kit(), "kit.lid").targets.size());
+    }
 };
 
 QTEST_APPLESS_MAIN(ExtentSnapTest)

@@ -168,6 +168,41 @@ private Q_SLOTS:
             QVERIFY((snap.point - hit.point).norm() < std::sqrt(2.) * 0.025 + 1e-9);
         }
     }
+
+    /// The axes of the object count where they cross the face; a thing that is a little larger than it has no edges.
+    void onlyWhatIsOnTheFaceCounts() {
+        FaceSnapOptions o = options(0, 0.01);
+        o.origin = {0.17, 0.13, 0}; // 7 mm beyond the front edge, 10 mm beyond the left one
+        QVERIFY(isAt(onTop(0.1735, 0.129, o), {0.163, 0.12, 0.14}) || isAt(onTop(0.1735, 0.129, o), {0.1735, 0.12, 0.14}));
+        o.near = {0.005, 0.005};
+        QVERIFY(isAt(onTop(0.169, 0.128, o), {0.169, 0.128, 0.14}));
+        const Bounds wide{{-0.155, -0.02, 0}, {0.155, 0.02, 0.03}};
+        QVERIFY(isAt(onTop(0.0195, 0.02, options(0, 0.002, wide)), {0.0195, 0.02, 0.14}));
+    }
+
+    /// Guides are lines of the face itself: on a lower end, on a gable, along a side of a cylinder.
+    void guidesAreOnTheFace() {
+        const GeomSpec can = cylinder(0.1, 0.3);
+        const RayHit low = hitAt({0.004, -0.003, -0.15}, -Vec3::UnitZ());
+        const FaceSnap end = snapOnFace(*FlatFace::of(can, {}, low), low.point, options(0, 0.01));
+        QVERIFY(isAt(end, {0, 0, -0.15}));
+        QCOMPARE(end.guides.size(), std::size_t(2));
+        for (const auto& line : end.guides)
+            for (const Vec3& p : line) QVERIFY(std::abs(p.z() + 0.15) < 1e-12);
+        const RayHit side = hitAt({0.1, 0, 0.006}, Vec3::UnitX());
+        QVERIFY(snapOnFace(*FlatFace::of(can, {}, side), side.point, options(0, 0.01)).guides.empty()); // it has no width
+        auto wedge = std::make_shared<TriangleMesh>();
+        wedge->points = {{0, 0, 0}, {0.4, 0, 0}, {0.4, 0.2, 0}, {0, 0.2, 0}, {0, 0.1, 0.1}, {0.4, 0.1, 0.1}};
+        wedge->triangles = {{0, 2, 1}, {0, 3, 2}};
+        GeomSpec geom;
+        geom.shape = GeomShape::Mesh;
+        geom.mesh = wedge;
+        const RayHit base = hitAt({0.196, 0.097, 0}, -Vec3::UnitZ());
+        const FaceSnap snap = snapOnFace(*FlatFace::of(geom, {}, base), base.point, options(0, 0.01));
+        QCOMPARE(snap.guides.size(), std::size_t(2));
+        for (const auto& line : snap.guides)
+            for (const Vec3& p : line) QVERIFY(std::abs(p.z()) < 1e-12);
+    }
 };
 
 QTEST_APPLESS_MAIN(FaceSnapTest)

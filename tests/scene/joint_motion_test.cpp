@@ -127,6 +127,66 @@ private Q_SLOTS:
         config.joints.push_back(joint("close", JointType::Hinge, 0, 2, {0, 0, 0}, Vec3::UnitZ()));
         QVERIFY(place(config, {kQuarter, 0, 0}, 1).isApprox(Vec3(0.5, 0.5, 0), 1e-12));
     }
+
+    /// Stops as they are; without them a half turn or 10 cm, beyond the one that there is.
+    void rangesOfCoordinates() {
+        RobotConfigSpec config = chain();
+        config.joints[0].lowStop = 4; // beyond a half turn
+        config.joints[1].highStop = -0.3;
+        JointSpec two = joint("two", JointType::Universal, 0, 2, {}, Vec3::UnitZ()), strut = two;
+        two.lowStop = -1, two.highStop = 2, two.lowStop2 = -0.25, two.highStop2 = 0.75;
+        strut.type = JointType::Suspension;
+        for (const double travel : {0., 0.05}) {
+            strut.travel = travel;
+            config.joints.push_back(strut);
+        }
+        config.joints.push_back(two);
+        const double half = std::numbers::pi;
+        const std::tuple<double, double, bool, bool> expected[] = {
+            {4, 4 + half, true, false}, {-0.4, -0.3, false, true},   {-0.1, 0.1, false, false}, {-half, half, false, false},
+            {-0.05, 0.05, true, true},  {-half, half, false, false}, {-1, 2, true, true},       {-0.25, 0.75, true, true}};
+        const auto coordinates = jointCoordinates(config);
+        QCOMPARE(coordinates.size(), std::size(expected));
+        for (std::size_t i = 0; i < coordinates.size(); ++i) {
+            const auto& [low, high, hasLow, hasHigh] = expected[i];
+            const JointCoordinate& c = coordinates[i];
+            QVERIFY2(std::abs(c.low - low) < 1e-12 && std::abs(c.high - high) < 1e-12, qPrintable(QString::number(i)));
+            QVERIFY(c.hasLow == hasLow && c.hasHigh == hasHigh);
+        }
+    }
+
+    /// What a gear turns passes its free range; the second coordinate of a joint turns no gear.
+    void gearsPassAFreeRange() {
+        RobotConfigSpec config = chain();
+        JointSpec& two = config.joints[0];
+        two.type = JointType::Universal;
+        two.axis2 = Vec3::UnitY();
+        GearSpec gear;
+        gear.joint = 1;
+        gear.other = 0;
+        gear.ratio = 0.4; // m/rad
+        config.gears = {gear};
+        const auto coordinates = jointCoordinates(config);
+        std::vector<double> positions(3, 0.0);
+        setJointPosition(config, coordinates, 1, 0.5, positions);
+        QCOMPARE(positions, (std::vector{0., 0.5, 0.}));
+        setJointPosition(config, coordinates, 0, 2, positions);
+        QCOMPARE(positions, (std::vector{2., 0.5, 0.8}));
+        setJointPosition(config, coordinates, 0, 9, positions); // by hand no farther than its own
+        QCOMPARE(positions, (std::vector{std::numbers::pi, 0.5, 0.4 * std::numbers::pi}));
+    }
+
+    /// Less than its stop a Ball tilts as it is turned.
+    void aBallTiltsFreelyBelowItsStop() {
+        RobotConfigSpec config = chain();
+        config.joints[0].type = JointType::Ball;
+        config.joints[0].swingStop = 0.3;
+        for (const auto& [asked, is] : {std::pair(0.2, 0.2), {0.29, 0.29}, {0.5, 0.3}}) {
+            const Vec3 tilted = bodyMotions(config, jointCoordinates(config), std::vector<double>{asked, 0, 0, 0})[1].rotation *
+                                Vec3(Vec3::UnitZ());
+            QVERIFY(std::abs(std::acos(tilted.z()) - is) < 1e-9);
+        }
+    }
 };
 
 QTEST_APPLESS_MAIN(JointMotionTest)

@@ -160,6 +160,99 @@ private Q_SLOTS:
         layout.add("chassis/pose", "m", SignalType::Real, SignalDirection::Truth, 3);
         QCOMPARE(PoseReader(experiment, layout).found(), std::size_t(0));
     }
+
+    /// Of a Pen's line as many points as are written, no more than it has place for; what is not finite is left out.
+    void linesOfPens() {
+        ExperimentSpec experiment = twoRobots();
+        auto config = std::make_shared<RobotConfigSpec>(*experiment.robots[0].config);
+        config->devices.resize(1);
+        config->devices[0].kind = "Pen";
+        config->devices[0].name = "pen";
+        const auto given = [&](const char* key, std::vector<double> numbers) {
+            config->devices[0].values[key] = {{PropertyType::Number, std::move(numbers), {}}, {}, Origin::Config};
+        };
+        given("Width", {0.004});
+        given("ColorRGB", {0.25, 0.5, 0.75});
+        experiment.robots[1].config = config; // the first robot has none
+        SignalLayout layout;
+        layout.beginRobot("b");
+        layout.add("pen/line", "m", SignalType::Real, SignalDirection::Output, 12); // three points
+        layout.add("pen/points", "", SignalType::Integer, SignalDirection::Output);
+        layout.add("other", "", SignalType::Real, SignalDirection::Output, 20);
+        SignalBlock block(layout);
+        std::vector<double> line{1, 2, 3, 1, std::nan(""), 5, 6, 0, 7, 8, 9, 0};
+        std::ranges::copy(line, block.slots().begin() + layout.find("b/pen/line")->offset);
+        const PoseReader reader(experiment, layout);
+        BodyPoses poses;
+        for (const auto& [count, points] : {std::pair(0., 0), {1., 1}, {2., 1}, {3., 2}, {9., 2}, {-1., 0}, {std::nan(""), 0}}) {
+            block.slots()[layout.find("b/pen/points")->offset] = count;
+            reader.read(block, poses);
+            QVERIFY(poses.lines && poses.lines->size() == 1);
+            const PenLine& pen = poses.lines->front();
+            QVERIFY(pen.width == 0.004 && pen.colour == (std::array{0.25, 0.5, 0.75}));
+            QCOMPARE(int(pen.points.size()), points);
+            if (points > 0) QVERIFY(pen.points[0].at == Vec3(1, 2, 3) && pen.points[0].begins);
+            if (points > 1) QVERIFY(pen.points[1].at == Vec3(7, 8, 9) && !pen.points[1].begins);
+        }
+        const SignalLayout none;
+        reader.read(SignalBlock(none), poses); // of another run: nothing of it is read
+        QVERIFY(poses.lines && poses.lines->empty());
+    }
+
+    /// Leds of the second robot are on its bodies; those of other shapes of signals stay as they are.
+    void ledsAreOnTheirBodies() {
+        ExperimentSpec experiment = twoRobots();
+        auto config = std::make_shared<RobotConfigSpec>(*experiment.robots[0].config);
+        config->devices.resize(2);
+        for (std::size_t i = 0; i < 2; ++i) {
+            ComponentSpec& led = config->devices[i];
+            led.kind = "Led";
+            led.name = i ? "rear" : "front";
+            led.values["Body"] = {{PropertyType::Reference, {}, {i ? "chassis" : "arm"}}, {}, Origin::Config};
+            led.values["On"] = {{PropertyType::Boolean, {double(i)}, {}}, {}, Origin::Config};
+            led.values["Diameter"] = {{PropertyType::Number, {0.01 + 0.01 * double(i)}, {}}, {}, Origin::Config};
+            led.values["Pos"] = {{PropertyType::Number, {1, 2, 3}, {}}, {}, Origin::Config};
+            led.values["HPR"] = {{PropertyType::Number, {std::numbers::pi / 2, 0, 0}, {}}, {}, Origin::Config};
+        }
+        for (RobotSpec& robot : experiment.robots) robot.config = config;
+        const std::vector<LedModel> leds = ledsOf(experiment);
+        QCOMPARE(leds.size(), std::size_t(4));
+        const std::pair<std::string, std::size_t> expected[] = {{"a/front", 1}, {"a/rear", 0}, {"b/front", 3}, {"b/rear", 2}};
+        for (std::size_t i = 0; i < 4; ++i) {
+            QVERIFY((std::pair(leds[i].path, leds[i].body) == expected[i]));
+            QCOMPARE(leds[i].atStart, i % 2 ? (LedColour{1, 1, 1}) : (LedColour{0, 0, 0}));
+            QCOMPARE(leds[i].diameter, i % 2 ? 0.02 : 0.01);
+            QVERIFY((leds[i].mounting * Vec3::UnitX() - Vec3(1, 3, 3)).norm() < 1e-12);
+        }
+        SignalLayout layout;
+        layout.beginRobot("a");
+        layout.add("front/color", "", SignalType::Real, SignalDirection::Command, 4);
+        layout.add("front/lit", "", SignalType::Boolean, SignalDirection::Output);
+        SignalBlock block(layout);
+        for (double& slot : block.slots()) slot = 0.5;
+        BodyPoses poses;
+        PoseReader(experiment, layout).read(block, poses);
+        QCOMPARE(poses.leds[0], (LedColour{0, 0, 0}));
+        BodyPoses old = poses; // of a text with fewer Leds
+        old.leds.resize(1);
+        PoseReader(experiment, layout).read(block, old);
+        QCOMPARE(old.leds.size(), std::size_t(4));
+    }
+
+    void ofAnotherSizeOrTooLongAPoseIsNone() {
+        const ExperimentSpec experiment = twoRobots();
+        SignalLayout layout;
+        layout.beginRobot("a");
+        layout.add("chassis/pose", "m", SignalType::Real, SignalDirection::Truth, 8);
+        layout.add("arm/pose", "m", SignalType::Real, SignalDirection::Truth, 7);
+        SignalBlock block(layout);
+        write(block, layout, "a/arm/pose", {1, 1, 1, 1e7, 0, 0, 0});
+        const PoseReader reader(experiment, layout);
+        QCOMPARE(reader.found(), std::size_t(1));
+        BodyPoses poses;
+        reader.read(block, poses);
+        QVERIFY((poses[1].position - startPoses(experiment)[1].position).norm() == 0);
+    }
 };
 
 QTEST_APPLESS_MAIN(PosesTest)

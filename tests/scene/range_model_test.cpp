@@ -94,6 +94,23 @@ private Q_SLOTS:
         for (const auto& p : two.points) QVERIFY(p[2] > 0 && p[2] < 0.005); // a little above the floor
         QVERIFY(ribbonOf(lineOf({})).triangles.empty());
     }
+
+    void manyBeamsInLayersAreNotDrawn() {
+        QVERIFY(rangeModelOf(lidar({{"MaxRange", 3}, {"Beams", 5000}, {"Layers", 4}})));
+        QVERIFY(!rangeModelOf(lidar({{"MaxRange", 3}, {"Beams", 5001}, {"Layers", 4}})));
+    }
+
+    /// Without beams a sensor looks along one direction, in a cone; that of the ground looks down.
+    void conesAndGroundSensors() {
+        ComponentSpec sonar = lidar({{"MaxRange", 3}});
+        QCOMPARE(rangeModelOf(sonar)->coneAngle, 0.);
+        sonar.values["Type"] = {{PropertyType::Choice, {}, {"ultrasonic"}}, {}, Origin::Config};
+        QCOMPARE(rangeModelOf(sonar)->coneAngle, kTurn / 12);
+        QCOMPARE(rangeModelOf(sonar)->directions, std::vector<Vec3>{Vec3::UnitX()});
+        const auto eye = rangeModelOf(lidar({{"MaxHeight", 0.04}}));
+        QVERIFY(eye && eye->ground && eye->maxRange == 0.04);
+        QCOMPARE(eye->directions, std::vector<Vec3>{-Vec3::UnitZ()});
+    }
 };
 
 QTEST_APPLESS_MAIN(RangeModelTest)

@@ -114,6 +114,57 @@ private Q_SLOTS:
         QVERIFY(!fitSun(Vec3::UnitZ(), {Bounds{}}, view, 400, 300, kPixels));
         QVERIFY(fitSun(Vec3::UnitZ(), {boxAt(Vec3::Zero(), 0)}, view, 400, 300, kPixels)); // a point still gets an area
     }
+
+    /// Of a view in parallel projection, in a picture that is high.
+    void mapCoversAHighPicture() {
+        const Vec3 sun = Vec3(-0.5, -0.3, 0.8).normalized();
+        std::vector<Bounds> boxes;
+        for (int x = -3; x <= 3; ++x)
+            for (int y = -3; y <= 3; ++y) boxes.push_back(boxAt({double(x), double(y), 0.2}, 0.2));
+        for (const double width : {0., 2.5}) {
+            CameraView view = lookingAt({0.3, -4, 5}, {0.3, 0, 0});
+            view.orthographicWidth = width;
+            const auto fit = fitSun(sun, boxes, view, 300, 900, kPixels);
+            QVERIFY(fit);
+            int checked = 0;
+            for (const Bounds& box : boxes)
+                for (int i = 0; i < 8; ++i) {
+                    const auto at = project(view, 300, 900, box.corner(i));
+                    if (!at || at->x < 0 || at->x > 300 || at->y < 0 || at->y > 900) continue;
+                    const Vec3 where = onMap(*fit, box.corner(i));
+                    QVERIFY(where.minCoeff() >= 0 && where.maxCoeff() <= 1);
+                    ++checked;
+                }
+            QVERIFY(checked > 50);
+        }
+    }
+
+    /// What casts no shadow into the picture changes nothing, on whichever side it is; what is seen in part is not drawn as a whole.
+    void whatIsBesideThePictureDoesNotCount() {
+        const Vec3 sun = Vec3(-0.2, -0.3, 0.9).normalized();
+        const CameraView view = lookingAt({0, -2, 2}, Vec3::Zero());
+        const Bounds near = boxAt({0, 0, 0.1}, 0.1);
+        const auto one = fitSun(sun, {near}, view, 400, 300, kPixels);
+        QVERIFY(one);
+        for (const Vec3& at : {Vec3(60, 0, 0.2), Vec3(-60, 0, 0.2), Vec3(0, 90, 0.2), Vec3(0, -60, 0.2)}) {
+            const auto both = fitSun(sun, {near, boxAt(at, 0.1)}, view, 400, 300, kPixels);
+            QVERIFY(both);
+            const double grown = at.y() > 0 ? 2 : 1.2; // far ahead it may be in the picture
+            QVERIFY2(both->width < grown * one->width && both->height < 40 * one->height, qPrintable(QString::number(at.x())));
+            if (at.y() <= 0) QVERIFY(std::abs(both->height - one->height) < 0.2 * one->height && both->depth < 2 * one->depth);
+        }
+        const CameraView down = lookingAt({0, 0, 3}, Vec3::Zero());
+        const auto part = fitSun(sun, {{Vec3(-500, -500, 0), Vec3(500, 500, 0.01)}}, down, 400, 300, kPixels);
+        QVERIFY(part && part->width < 10 && part->height < 10);
+    }
+
+    /// Nothing is cut off at either end of its depth.
+    void theDepthHasAMargin() {
+        const Vec3 sun = Vec3(0, 0, 1);
+        const auto fit = fitSun(sun, {boxAt({0, 0, 1}, 1)}, lookingAt({0, -6, 4}, {0, 0, 1}), 400, 300, kPixels);
+        QVERIFY(fit);
+        QVERIFY(fit->origin.z() > 2.004 && fit->origin.z() - fit->depth < -0.004);
+    }
 };
 
 QTEST_APPLESS_MAIN(SunFitTest)

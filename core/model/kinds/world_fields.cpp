@@ -173,7 +173,7 @@ void ScatterFields::describe(Describe<ScatterFields>& d) {
     d.field("Count", &ScatterFields::count, whole(1, 200000).required(), "How many.");
     d.field("Area", &ScatterFields::area, position().required(), "x0, y0, x1, y1 about Pos.");
     d.field("MinDistance", &ScatterFields::minDistance, metres().within(0, kFarthestCoordinate),
-            "Between the members' origins; where absent, they just do not touch.");
+            "Between the members' origins; where absent, circles around the largest of them just do not touch.");
     d.field("Heading", &ScatterFields::heading, angles(), "Of every member; random where absent.");
     d.field("Seed", &ScatterFields::seed, whole(0, kLargestWhole), "0 = the experiment's.");
 }
