@@ -101,6 +101,30 @@ private Q_SLOTS:
             if (QTest::currentTestFailed()) qWarning("with %s", qPrintable(module));
         }
     }
+
+    /// A lidar on top of the body, sensors of the floor low at its front, on the side of their names.
+    void whatIsAddedIsWhereItSenses() {
+        const auto check = [&](const char* module, const char* kind, const std::map<std::string, std::string>& places) {
+            const std::string robot = std::string("Robot r { Config=Cart ") + kind + " brain { } }\n";
+            const auto loaded = m_fixture.open((module + cart(kDrive)).toStdString() + robot);
+            const Diagnostics found = CheckFixture::check(*loaded);
+            QCOMPARE(found.all().size(), places.size());
+            for (const Diagnostic& d : found.all()) {
+                QCOMPARE(d.fixes.size(), std::size_t(1));
+                const std::string text = CheckFixture::applied(*loaded, d.fixes[0]);
+                const auto isAdded = [&](const auto& place) {
+                    const std::size_t at = text.find(place.first + " {");
+                    return at != std::string::npos && text.find(" Pos=" + place.second + " ", at) < text.find('}', at);
+                };
+                QVERIFY2(std::ranges::count_if(places, isAdded) == 1, text.c_str());
+            }
+        };
+        check("#loadModule controllers/wall_follow\n", "WallFollow", {{"Lidar scan", "0,0,0.05"}});
+        check("#loadModule controllers/line_follow\n", "LineFollow",
+              {{"GroundSensor leftGround", "0.15,0.05,-0.075"},
+               {"GroundSensor middleGround", "0.15,0,-0.075"},
+               {"GroundSensor rightGround", "0.15,-0.05,-0.075"}});
+    }
 };
 
 QTEST_GUILESS_MAIN(NeedsCheckTest)

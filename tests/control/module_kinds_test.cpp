@@ -138,10 +138,10 @@ private Q_SLOTS:
                 t.fields[i].minimum = 1;
                 t.fields[i].minCount = t.fields[i].maxCount = 1;
             }
-            t.fields[2].flags = 0; // required: it needs no default
+            t.fields[2].flags = TRUNDLE_REQUIRED; // it needs no default
             t.signals[0].countFields = 1 | 3u << 16;
         });
-        row("the second of which is none", own("has a broken signal, number 1"), [](Tables& t) {
+        row("the second of two broken", own("has a broken signal, number 1"), [](Tables& t) {
             t.makeDevice();
             t.fields[0].type = TRUNDLE_INTEGER;
             t.fields[0].minimum = 1;

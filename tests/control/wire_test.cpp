@@ -43,7 +43,7 @@ private Q_SLOTS:
         QVERIFY(!damaged && damaged.error().code == Code::Internal && !cut.ok());
     }
 
-    /// A count that does not fit is none, so that nothing of that size is made; texts at the very end do.
+    /// A count that does not fit counts as 0, so that nothing of that size is made; texts at the very end fit.
     void countsFitIntoTheirBytes() {
         const PropertyValue value{PropertyType::Text, {0.5, -2}, {"one", "", "three"}};
         const std::string bytes = WireWriter().value(value).take();

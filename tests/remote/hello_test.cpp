@@ -182,6 +182,37 @@ private Q_SLOTS:
         QCOMPARE(held, (QStringList{"a2 held", "a2 free"}));
         QCOMPARE(clients->load(), std::size_t(0));
     }
+    void moreThanThereAreSeats() {
+        Guests guests({{}, {}, 1, std::chrono::hours(1)});
+        Peer first = guests.connect(), second;
+        QCOMPARE(guests.call(first, {{"op", "hello"}, {"token", kToken}})["ok"], Json(true));
+        second = guests.connect();
+        QCOMPARE(guests.reply(second)["error"], Json("full"));
+        QCOMPARE(guests.server->clientCount(), std::size_t(1));
+    }
+
+    /// Why it has failed is in the status, with the controller of which robot was stopped.
+    void theStatusNamesWhatFailed() {
+        auto world = std::make_unique<FakeWorld>(experimentOf({"a", "a2"}));
+        world->faultAt = 1;
+        ExperimentRunner runner(std::move(world), RunOptions());
+        ServedRun run(runner);
+        RemoteServer server(run, {kToken, {}, 16, std::chrono::hours(1)});
+        auto [ours, theirs] = std::move(Socket::pair().value());
+        server.adopt(std::move(theirs));
+        Peer peer{std::move(ours)};
+        for (int i = 0; i < 2; ++i) {
+            server.beforeTick();
+            server.afterTick(runner.tick().ok());
+        }
+        peer.ask({{"op", "status"}});
+        server.serve({});
+        const auto reply = peer.take();
+        QVERIFY(reply);
+        QCOMPARE(std::tuple(reply->first["state"], reply->first["tick"]), std::tuple(Json("ended"), Json(1)));
+        QCOMPARE(reply->first["diagnostics"].size(), std::size_t(1));
+        QCOMPARE(reply->first["diagnostics"][0]["message"], reply->first["reason"]);
+    }
 };
 
 QTEST_APPLESS_MAIN(HelloTest)

@@ -221,6 +221,9 @@ private Q_SLOTS:
             QVERIFY((is.position - expected.position).norm() < 1e-12);
             QVERIFY(is.rotation.angularDistance(expected.rotation) < 1e-7);
             const auto& missing = run.world().missing();
+            QVERIFY(std::ranges::none_of(missing, [](const std::string& path) { return path.ends_with("/pose"); })); // truth
+            const BlockHeader& header = run.world().block().header();
+            QCOMPARE(std::tuple(header.tick, header.time), std::tuple(std::uint64_t(1), 0.02));
             QCOMPARE(std::ranges::find(missing, "r/base/odometry") == missing.end(), given.size() == 2);
             QVERIFY(std::ranges::find(missing, "r/base/linearVelocity") != missing.end());
         }

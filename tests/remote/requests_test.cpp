@@ -208,6 +208,16 @@ private Q_SLOTS:
         }
     }
 
+    /// Each number of a command of several, in its place.
+    void numbersOfACommand() {
+        Peer peer = connect();
+        QCOMPARE(error(peer, {{"op", "command"}, {"signals", {{"p2/lamp/color", {0.125, 0.25, 0.375}}}}}), Json("none"));
+        QCOMPARE(error(peer, {{"op", "step"}}), Json("none"));
+        const Json read = call(peer, {{"op", "read"}, {"signals", {"p*/lamp/color"}}})["values"];
+        QCOMPARE(read["p2/lamp/color"], Json({0.125, 0.25, 0.375}));
+        QCOMPARE(read["p/lamp/color"], Json({0.25, 0.5, 0.75}));
+    }
+
     void radioPacketsHaveTheirFigures() {
         Peer peer = connect();
         std::string frame;
@@ -252,6 +262,11 @@ private Q_SLOTS:
         QCOMPARE(error(peer, {{"op", "reset"}, {"seed", 41}}), Json("none"));
         QCOMPARE(error(peer, {{"op", "reset"}}), Json("none"));
         QCOMPARE(m_seeds, (std::vector<std::optional<std::uint64_t>>{41, std::nullopt}));
+        other.ask({{"id", 7}, {"op", "step"}, {"ticks", 1'000'000'000}}); // ends with the run that it is of
+        for (int i = 0; i < 50; ++i) m_server->serve({});
+        QCOMPARE(error(peer, {{"op", "reset"}}), Json("none"));
+        const Json old = answer(other).first;
+        QVERIFY2(old["id"] == 7 && old["tick"] == 0 && old["ticks"] < 1000, old.dump().c_str());
         other.ask({{"id", 8}, {"op", "step"}, {"ticks", 1'000'000'000}});
         for (int i = 0; i < 50; ++i) m_server->serve({});
         m_isBuildable = false;
@@ -261,7 +276,7 @@ private Q_SLOTS:
         m_server->serve({});
         QVERIFY(!other.take()); // events alone
         QCOMPARE(other.events.back().first["event"], Json("state"));
-        QCOMPARE(std::ranges::count_if(other.events, [](const auto& each) { return each.first["event"] == "reset"; }), 3);
+        QCOMPARE(std::ranges::count_if(other.events, [](const auto& each) { return each.first["event"] == "reset"; }), 4);
         for (const auto& [operation, expected] :
              {std::pair("read", "ended"), {"step", "ended"}, {"status", "none"}, {"console", "none"}})
             QCOMPARE(error(peer, {{"op", operation}}), Json(expected));

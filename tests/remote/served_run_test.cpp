@@ -231,6 +231,52 @@ private Q_SLOTS:
             QVERIFY(all[i]["file"] == (line > 0 ? "a.sim" : ""));
         }
     }
+    /// A controller that finishes the run ends it, also where it is seen later; the first controller of a robot owns its signals.
+    void aFinishedRunIsOver() {
+        const auto experiment = experimentOf({"robot"});
+        for (const char* name : {"brain", "helper"})
+            experiment->robots[0].controllers.push_back({{"Scripted", name, {{"UpdatePeriod", numberValue(0)}}, {}, {}}, {}});
+        ExperimentRunner runner(std::make_unique<FakeWorld>(experiment), RunOptions());
+        Diagnostics diagnostics;
+        runner.startControllers(
+            [this](const ControllerRequest&) -> Result<std::unique_ptr<ControllerBackend>> {
+                auto backend = std::make_unique<ScriptedBackend>();
+                backend->story = &m_story;
+                backend->gaps = &m_gaps;
+                backend->finishAt = 1;
+                return std::unique_ptr<ControllerBackend>(std::move(backend));
+            },
+            diagnostics);
+        ServedRun run(runner);
+        QVERIFY(run.checkOwner("robot/base/linearVelocity").error().message.starts_with("the controller brain of robot owns "));
+        run.follow(true, 3);
+        QVERIFY(run.state() == ServedState::Running && run.speed() == 3 && run.endReason().empty());
+        for (int i = 0; i < 3 && !runner.finished(); ++i) run.endTick(runner.tick().ok());
+        QCOMPARE(run.state(), ServedState::Ended);
+        QCOMPARE(run.endReason(), std::string("the controller brain of robot finished it: reached 1"));
+        run.follow(true, 5);
+        QVERIFY(run.state() == ServedState::Ended && run.speed() == 3);
+        QCOMPARE(ServedRun(runner).state(), ServedState::Ended);
+    }
+
+    /// Of robots that are joined, the last that is placed moves all of them.
+    void ofJoinedRobotsTheLastPlaceCounts() {
+        const auto experiment = experimentOf({"a", "b", "c"});
+        experiment->joints.push_back({{}, 0, 1});
+        m_runner = std::make_unique<ExperimentRunner>(std::make_unique<FakeWorld>(experiment), RunOptions());
+        m_run = std::make_unique<ServedRun>(*m_runner);
+        for (const char* name : {"a", "c", "b"}) QVERIFY(m_run->place(name, Pose()));
+        QCOMPARE(given(), (QStringList{"place b", "place c"}));
+    }
+
+    void ofManyProblemsTheFirstAreShown() {
+        std::vector<Diagnostic> problems(101);
+        for (Diagnostic& each : problems) each.severity = Severity::Warning;
+        problems.back().severity = Severity::Error;
+        const auto all = problemsJson(problems, SourceTable());
+        QCOMPARE(all.size(), std::size_t(100));
+        QVERIFY(all[0]["severity"] == "error" && all[1]["severity"] == "warning");
+    }
 };
 
 QTEST_APPLESS_MAIN(ServedRunTest)
