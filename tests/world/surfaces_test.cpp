@@ -101,7 +101,7 @@ private Q_SLOTS:
         const double turned = v * (1 - high / r / (1 + inertia)),
                      risen = std::sqrt(turned * turned - 2 * down * high / (1 + inertia));
         const double x = world->robotPose(0).position.x(), theory = risen * rest + a * rest * rest / 2;
-        QVERIFY2(std::abs(x - theory) < (tick < 0.005 ? 0.02 : 0.06) * theory,
+        QVERIFY2(std::abs(x - theory) < (tick < 0.02 ? 0.02 : 0.06) * theory,
                  qPrintable(QString("%1 of %2").arg(x).arg(theory)));
     }
 

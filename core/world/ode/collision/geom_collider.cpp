@@ -226,10 +226,10 @@ int GeomCollider::collide(std::uint32_t first, std::uint32_t second, dContactGeo
     return static_cast<int>(most);
 }
 
-/// With the triangles of the one that is a hull or a height map, of which ODE knows only samples.
+/// With the triangles of the one that is a height map, of which ODE knows only samples.
 int GeomCollider::collideAsMesh(std::uint32_t first, std::uint32_t second, dContactGeom* found) {
     const OdeGeom &a = m_objects.geoms[first], &b = m_objects.geoms[second];
-    const bool isSecond = NearTriangles::isSurface(b.shape);
+    const bool isSecond = b.shape == GeomShape::Heightfield;
     const dGeomID mesh = isSecond ? m_near.findAsMesh(second, first) : m_near.findAsMesh(first, second);
     return mesh ? dCollide(isSecond ? a.id : mesh, isSecond ? mesh : b.id, kMaxFound, found, sizeof(dContactGeom)) : 0;
 }
