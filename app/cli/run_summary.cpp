@@ -134,7 +134,7 @@ std::string solverRows(const World& world) {
     const bool asked = world.experiment().settings.solver == SolverChoice::Quick;
     if (world.solves().quickTicks > 0)
         text += row("solver", counted(world.solves().quickTicks, "tick") + " solved by the quick solver (" +
-                                  (asked ? "Solver = quick" : "piles of more than 60 contacts, in short steps") +
+                                  (asked ? "Solver = quick" : "piles of more than 60 contacts") +
                                   (world.solves().rescuedTicks > 0 ? ", or the exact one could not" : "") + ")");
     if (world.solves().rescuedTicks > 0)
         text += row(world.solves().quickTicks == 0 ? "solver" : "",

@@ -28,8 +28,8 @@ Diagnostic pileWarning(const World& world, const std::string& time) {
     return warningOf(
         Code::BigCluster,
         "at t = " + time + " s more than " + std::to_string(kExactClusterMax) +
-            " contacts hang together in a pile that is too large or too tangled for the exact solver: it is iterated in "
-            "short steps and less exact than the rest, which stays exact. Solver = exact is slow for such piles",
+            " contacts hang together in a pile that is too large or too tangled for the exact solver: it is iterated "
+            "and less exact than the rest, which stays exact. Solver = exact is slow for such piles",
         world.experiment().settings.solverRange);
 }
 

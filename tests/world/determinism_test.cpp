@@ -54,10 +54,19 @@ void addTrouble(Scene& scene, const QString& kind) {
         scene.robot("jam" + std::to_string(i),
                     at(30 + 0.4 * (i % 4), 0.4 * (i / 4), 0, Vec3(std::atan2(0.6 - 0.4 * (i / 4), 0.6 - 0.4 * (i % 4)), 0, 0)),
                     r0());
-    for (int i = 0; kind == "pile" && i < 40; ++i)
+    const bool pile = kind == "pile" || kind == "pile with a robot"; // the latter is iterated in short steps
+    for (int i = 0; pile && i < 40; ++i)
         scene.loose("pile" + std::to_string(i),
                     at(30 + 0.11 * (i % 4), 0.11 * (i / 4 % 2), 0.06 + 0.11 * (i / 8), degrees(7.0 * i, 0, 0)),
                     massOfBox(0.5, {0.1, 0.1, 0.1}), {box("b", {0.1, 0.1, 0.1})});
+    if (kind == "pile with a robot") {
+        auto scissors = std::make_shared<RobotConfigSpec>();
+        for (int i = 0; i < 2; ++i)
+            scissors->bodies.push_back(body("b" + std::to_string(i), at(0, 0.06 * i, 0), massOfBox(0.5, {0.3, 0.05, 0.05}),
+                                            {box("b" + std::to_string(i), {0.3, 0.05, 0.05})}));
+        scissors->joints.push_back(joint("pin", JointType::Hinge, 0, 1, {0, 0.03, 0}, Vec3::UnitY()));
+        scene.robot("trouble", at(30.16, 0.03, 0.64), scissors);
+    }
     if (kind != "knot" && kind != "swing") return;
     auto config = chain();
     if (kind == "knot") {
@@ -143,8 +152,8 @@ private Q_SLOTS:
             scene.spec->settings.seed = seed;
             return runOf(scene, 2, 120).hash;
         };
-        QVERIFY(withSeed(crowd(2, 30), 1) != withSeed(crowd(2, 30), 2));
-        QCOMPARE(withSeed(crowd(2, 0), 1), withSeed(crowd(2, 0), 2));
+        QVERIFY(withSeed(crowd(2, 9, SolverChoice::Quick), 1) != withSeed(crowd(2, 9, SolverChoice::Quick), 2));
+        QCOMPARE(withSeed(crowd(2, 30), 1), withSeed(crowd(2, 30), 2));
     }
 
     /// A robot far away changes no bit of the others, whatever its name and its position in the text.
@@ -213,7 +222,7 @@ private Q_SLOTS:
                 for (const char* motor : {"/leftMotor", "/rightMotor"}) command(*b, "jam" + std::to_string(r) + motor, 8, 0, 5.4);
             QVERIFY(a->tick().ok() && b->tick().ok());
         }
-        if (trouble == "pile") QVERIFY(b->solves().quickTicks > 0);
+        if (trouble.startsWith("pile")) QVERIFY(b->solves().quickTicks > 0);
         if (trouble == "knot") QVERIFY(b->solves().rescuedTicks > 200);
         for (const SignalEntry& entry : a->layout().entries())
             for (std::uint32_t k = 0; k < entry.count; ++k)
@@ -224,7 +233,8 @@ private Q_SLOTS:
     /// Threads change no bit, whatever has to be solved again, and by whom.
     void isTheSameOnAnyThreads_data() {
         QTest::addColumn<QString>("trouble");
-        for (const char* trouble : {"jam", "pile", "knot", "swing"}) QTest::newRow(trouble) << QString(trouble);
+        for (const char* trouble : {"jam", "pile", "pile with a robot", "knot", "swing"})
+            QTest::newRow(trouble) << QString(trouble);
     }
     void isTheSameOnAnyThreads() {
         QFETCH(QString, trouble);
@@ -251,7 +261,7 @@ private Q_SLOTS:
                     command(world, "jam" + std::to_string(r) + motor, 8, 0, 5.4);
             return world.tick().ok();
         };
-        for (int i = 0; i < 200; ++i) {
+        for (int i = 0; i < (trouble.startsWith("pile") ? 100 : 200); ++i) {
             QVERIFY(tick(*one));
             for (auto& other : others) {
                 QVERIFY(tick(*other));
@@ -259,7 +269,7 @@ private Q_SLOTS:
             }
         }
         if (trouble == "knot") QVERIFY(one->solves().rescuedTicks > 100);
-        if (trouble == "pile") QVERIFY(one->solves().quickTicks > 0);
+        if (trouble.startsWith("pile")) QVERIFY(one->solves().quickTicks > 0);
         for (auto& other : others) {
             QCOMPARE(other->solves().rescuedTicks, one->solves().rescuedTicks);
             QCOMPARE(other->solves().quickTicks, one->solves().quickTicks);

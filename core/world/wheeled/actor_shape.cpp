@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "world/wheeled/loads_at_rest.h"
 
@@ -15,6 +14,8 @@ constexpr double kDamping = 1100;  // N s/m
 constexpr double kMostSag = 1e-4;  // m, under an actor's own weight
 constexpr double kLeastShare = 3;  // supports that share it
 constexpr double kSlick = 1e-9;
+constexpr const char* kCanRoll = "can roll and is no ball of its own";
+constexpr const char* kIsCaster = "is a Sphere on the ground, which is a caster only of a robot with wheels";
 
 const char* nameOf(JointType type) {
     switch (type) {
@@ -137,63 +138,6 @@ bool ActorReader::readJoint(std::uint32_t index) {
     return refuse(named(nameOf(joint.type), joint.name, "is not the axle of a wheel on the ground"), joint.nameRange);
 }
 
-/// The colliding one, if there is only one.
-const GeomSpec* ActorReader::onlyGeom(std::uint32_t index) const {
-    const GeomSpec* found = nullptr;
-    for (const GeomSpec& geom : body(index).geoms)
-        if (geom.collide) {
-            if (found) return nullptr;
-            found = &geom;
-        }
-    return found;
-}
-
-bool ActorReader::hasRollingFriction(const GeomSpec& geom) const {
-    return m_surfaces[geom.surface].rollingFriction > 0 || m_surfaces[m_ground.surface()].rollingFriction > 0;
-}
-
-/// A level axle through the middle of one cylinder or ball.
-bool ActorReader::isWheel(const JointSpec& joint) {
-    const auto index = static_cast<std::uint32_t>(joint.child);
-    const GeomSpec* geom = onlyGeom(index);
-    if (!geom || (geom->shape != GeomShape::Cylinder && geom->shape != GeomShape::Sphere)) return false;
-    if (joint.lowStop || joint.highStop || joint.friction > 0 || joint.stiffness > 0 || std::abs(joint.axis.z()) > kLevelAxis)
-        return false;
-    const Pose pose = inActor(index) * geom->pose;
-    const Vec3 off = pose.position - joint.anchor;
-    if ((off - off.dot(joint.axis) * joint.axis).norm() > kTouching) return false;
-    if (geom->shape == GeomShape::Cylinder && std::abs((pose.rotation * Vec3::UnitZ()).dot(joint.axis)) < 1 - kLevelAxis)
-        return false;
-    const Vec3 mass = inActor(index) * body(index).mass.centre - joint.anchor;
-    if ((mass - mass.dot(joint.axis) * joint.axis).norm() > kTouching)
-        return refuse(named("wheel", body(index).name, "has its centre of mass beside its axle"), joint.nameRange);
-    return isOnGround("wheel", joint, m_actor->frame.position.z() + pose.position.z() - geom->radius);
-}
-
-/// A ball in a socket on the ground, in which it turns freely.
-bool ActorReader::isCaster(const JointSpec& joint) {
-    const auto index = static_cast<std::uint32_t>(joint.child);
-    const GeomSpec* geom = onlyGeom(index);
-    if (!geom || geom->shape != GeomShape::Sphere || joint.swingStop || joint.stiffness > 0) return false;
-    const std::string& name = body(index).name;
-    if (joint.damping > 0)
-        return refuse(named("the Ball", joint.name, "has a Damping; a caster turns freely in its joint"), joint.nameRange);
-    if (hasRollingFriction(*geom)) return refuse(named("caster", name, "has rolling friction"), joint.nameRange);
-    if ((body(index).mass.centre - geom->pose.position).norm() > kTouching)
-        return refuse(named("caster", name, "has a centre of mass that is not its middle"), joint.nameRange);
-    const Vec3 centre = inActor(index) * geom->pose.position;
-    return (centre - joint.anchor).norm() < kTouching &&
-           isOnGround("caster", joint, m_actor->frame.position.z() + centre.z() - geom->radius);
-}
-
-bool ActorReader::isOnGround(const char* kind, const JointSpec& joint, double bottom) {
-    const double gap = bottom - m_ground.height;
-    if (std::abs(gap) < kOnGround) return true;
-    char text[64];
-    std::snprintf(text, sizeof text, "is %.1f mm %s the ground at the start", 1e3 * std::abs(gap), gap > 0 ? "above" : "in");
-    return refuse(named(kind, body(static_cast<std::uint32_t>(joint.child)).name, text), joint.nameRange);
-}
-
 /// Every other body is fixed to the first one.
 bool ActorReader::isWhole() {
     m_roles[0] = m_roles[0] == Role::Unknown ? Role::Rigid : m_roles[0];
@@ -309,7 +253,7 @@ bool ActorReader::addSupports() {
 
 bool ActorReader::addWheel(const JointSpec& joint, std::uint32_t index) {
     const WheelShape& wheel = m_shape->wheels[index];
-    const GeomSpec& geom = *onlyGeom(wheel.body);
+    const GeomSpec& geom = *onlyGeom(body(wheel.body));
     const SurfaceSpec& own = m_surfaces[geom.surface];
     Support s;
     s.body = wheel.body;
@@ -364,7 +308,7 @@ bool ActorReader::readLoose() {
     if (std::abs(bottom(base)) > kOnGround)
         return refuse(named("body", body(0).name, "is not on the ground at the start"), body(0).nameRange);
     s.surface = base.surface;
-    const GeomSpec* only = s.bodies.size() == 1 ? onlyGeom(0) : nullptr;
+    const GeomSpec* only = s.bodies.size() == 1 ? onlyGeom(body(0)) : nullptr;
     if (only && only->shape == GeomShape::Sphere) {
         if ((body(0).mass.centre - only->pose.position).norm() > kTouching)
             return refuse(named("body", body(0).name, "is a ball whose centre of mass is not its middle"), body(0).nameRange);
@@ -380,7 +324,7 @@ bool ActorReader::readLoose() {
         for (const GeomSpec& geom : body(owner).geoms) {
             if (!geom.collide || k-- != 0) continue;
             if (flat && canRoll(geom, s.footprints[i]))
-                return refuse(named("geom", geom.name, "can roll and is no ball of its own"), geom.nameRange);
+                return refuse(named("geom", geom.name, geom.shape == GeomShape::Sphere ? kIsCaster : kCanRoll), geom.nameRange);
         }
     }
     return restsOnBase(base.low);

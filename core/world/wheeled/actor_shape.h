@@ -64,6 +64,9 @@ struct ActorShape {
 /// The lowest point of what collides of an actor, m.
 [[nodiscard]] double lowestOf(const ActorDef& actor);
 
+/// The colliding one, if there is only one.
+[[nodiscard]] const GeomSpec* onlyGeom(const BodySpec& body);
+
 /// Reads an actor that is on the ground at its start.
 class ActorReader {
 public:
@@ -78,7 +81,8 @@ private:
     [[nodiscard]] bool isWheel(const JointSpec& joint);
     [[nodiscard]] bool isCaster(const JointSpec& joint);
     [[nodiscard]] bool hasRollingFriction(const GeomSpec& geom) const;
-    [[nodiscard]] bool isOnGround(const char* kind, const JointSpec& joint, double bottom);
+    [[nodiscard]] bool isOnGround(const char* kind, const JointSpec& joint, double gap);
+    [[nodiscard]] double gapBelow(std::uint32_t body, const GeomSpec& round) const;
     [[nodiscard]] bool isWhole();
     [[nodiscard]] bool areJointsOfRigid();
     void addMasses();
@@ -92,7 +96,6 @@ private:
     void setStiffness();
     [[nodiscard]] bool refuse(std::string reason, SourceRange range);
     [[nodiscard]] const BodySpec& body(std::uint32_t index) const { return *m_actor->bodies[index].spec; }
-    [[nodiscard]] const GeomSpec* onlyGeom(std::uint32_t index) const;
     [[nodiscard]] double bottom(const PlanarShape& footprint) const;
     [[nodiscard]] Pose inActor(std::uint32_t index) const;
 

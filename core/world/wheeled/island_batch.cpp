@@ -395,7 +395,7 @@ void IslandBatch::finish() {
         Block& block = m_blocks[b];
         m_kernel.finish(*block.lanes, m_objects.models[block.model], m_tick);
         for (std::size_t lane = 0; lane < block.units.size(); ++lane)
-            storeVehicle(*block.lanes, lane, m_objects, block.units[lane]);
+            storeVehicle(*block.lanes, lane, m_objects, block.units[lane], m_tick.h);
     }
     for (const Loose& loose : m_loose) {
         writeBack(loose);

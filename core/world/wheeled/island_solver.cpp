@@ -103,7 +103,7 @@ void IslandSolver::solveBlock(VehicleBlock& block, std::span<const std::uint32_t
     m_kernel.prepare(block, model, tick);
     m_kernel.settle(block, model, kSettledAlone * m_objects.weight * tick.h * model.mass, kMostAlone);
     m_kernel.finish(block, model, tick);
-    for (std::size_t lane = 0; lane < units.size(); ++lane) storeVehicle(block, lane, m_objects, units[lane]);
+    for (std::size_t lane = 0; lane < units.size(); ++lane) storeVehicle(block, lane, m_objects, units[lane], tick.h);
 }
 
 } // namespace trundle

@@ -2,7 +2,7 @@
 
 namespace trundle {
 
-std::vector<double> loadsAtRest(std::span<const Vec2> points) {
+std::vector<double> loadsAtRest(std::span<const Vec2> points, const Vec2& middle) {
     std::vector<double> loads(points.size(), 0);
     std::vector<bool> carries(points.size(), true);
     const auto at = [&](std::size_t i) { return Vec3(1, points[i].x(), points[i].y()); };
@@ -11,7 +11,8 @@ std::vector<double> loadsAtRest(std::span<const Vec2> points) {
         Mat3 sums = Mat3::Zero();
         for (std::size_t i = 0; i < points.size(); ++i)
             if (carries[i]) sums += at(i) * at(i).transpose();
-        const Vec3 slope = sums.completeOrthogonalDecomposition().solve(Vec3::UnitX()); // all may be on one line
+        const Vec3 slope =
+            sums.completeOrthogonalDecomposition().solve(Vec3(1, middle.x(), middle.y())); // all may be on one line
         for (std::size_t i = 0; i < points.size(); ++i) {
             loads[i] = carries[i] ? at(i).dot(slope) : 0;
             if (loads[i] >= 0) continue;

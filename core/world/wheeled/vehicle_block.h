@@ -21,7 +21,7 @@ struct VehicleModel {
         double way[2] = {}, lever = 0, friction = 0; ///< as Support says; friction with the ground
         int wheel = 0;
         bool round = true;
-        double load = 0;    ///< N, of a planar vehicle
+        double load = 0;    ///< N, at rest where gravity is not tilted
         double rolling = 0; ///< as Support says
     };
     bool planar = false;                     ///< no motion but vx, vy and wz: inverseInertia has zz alone, loads do not change
@@ -45,6 +45,7 @@ struct VehicleWay {
 
 struct VehicleSupportRow {
     VehicleField ax, ay, change[3], inverse, bias, normal; ///< of the normal: arm, change of the angular velocity; the impulse
+    VehicleField load;                                     ///< of a planar vehicle: the force upwards, N
     VehicleWay way, across;
     VehicleField coupling, alongImpulse, acrossImpulse;
     VehicleField cone;     ///< what makes the impulse of a tread that slips as large as friction allows, 1/kg (ontoCone())

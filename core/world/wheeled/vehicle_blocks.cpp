@@ -12,6 +12,15 @@ namespace {
 
 constexpr double kUsualGravity = 9.81; // m/s^2, for which shapes have their stiffness
 
+/// As if it were at rest; `middle` as loadsAtRest() says, in the vehicle's axes.
+std::vector<double> loadsOf(const ActorShape& shape, const WheeledObjects& objects, const Vec2& middle) {
+    std::vector<Vec2> points;
+    for (const Support& s : shape.supports) points.emplace_back(s.centre.head<2>());
+    std::vector<double> loads = loadsAtRest(points, middle);
+    for (double& load : loads) load *= shape.mass * objects.weight;
+    return loads;
+}
+
 } // namespace
 
 VehicleModel vehicleModel(const ActorShape& shape, const WheeledObjects& objects) {
@@ -27,9 +36,7 @@ VehicleModel vehicleModel(const ActorShape& shape, const WheeledObjects& objects
     model.stiffness = heavier * shape.stiffness;
     model.damping = heavier * shape.damping;
     for (std::size_t i = 0; i < shape.wheels.size(); ++i) model.wheelDamping[i] = shape.wheels[i].damping;
-    std::vector<Vec2> points;
-    for (const Support& s : shape.supports) points.emplace_back(s.centre.head<2>());
-    const std::vector<double> loads = loadsAtRest(points);
+    const std::vector<double> loads = loadsOf(shape, objects, Vec2::Zero());
     for (std::size_t i = 0; i < shape.supports.size(); ++i) {
         const Support& s = shape.supports[i];
         model.supports[i] = {{s.centre.x(), s.centre.y(), s.centre.z()},
@@ -39,7 +46,7 @@ VehicleModel vehicleModel(const ActorShape& shape, const WheeledObjects& objects
                              objects.friction(s.surface, objects.ground->surface()),
                              static_cast<int>(s.wheel),
                              s.round,
-                             loads[i] * shape.mass * objects.weight,
+                             loads[i],
                              s.rolling};
     }
     return model;
@@ -65,6 +72,31 @@ void loadWheel(VehicleWheelRow& to, std::size_t lane, const WheelState& wheel) {
     to.viscous[lane] = wheel.motor.viscousFriction;
 }
 
+/// How much of the pull of tilted gravity along the ground friction held in the last tick, from 0 of what rolls down to 1 of what holds or
+/// drives up. `tilt`: in the vehicle's axes.
+double heldShare(const WheeledObjects& objects, const WheeledUnit& unit, const Vec2& tilt) {
+    double normal = 0, held = 0;
+    for (std::size_t i = 0; i < unit.shape->supports.size(); ++i) {
+        const SupportState& state = objects.supports[unit.supports + i];
+        const Vec2& way = unit.shape->supports[i].way;
+        normal += state.normal;
+        held -= tilt.dot(state.along * way + state.across * Vec2(-way.y(), way.x()));
+    }
+    return normal > 0 ? std::clamp(held / (normal * tilt.squaredNorm()), 0., 1.) : 1;
+}
+
+/// What each support of a planar vehicle carries. The pull along the ground that friction holds leans on what is downhill.
+void loadLoads(VehicleBlock& block, std::size_t lane, const WheeledObjects& objects, const WheeledUnit& unit) {
+    const VehicleModel& model = objects.models[unit.model];
+    std::vector<double> tilted;
+    if (!objects.tilt.isZero(0)) {
+        const Vec2 tilt = unit.plane.turnBack(objects.tilt);
+        tilted = loadsOf(*unit.shape, objects, heldShare(objects, unit, tilt) * block.height[lane] * tilt);
+    }
+    for (int i = 0; i < model.supportCount; ++i)
+        block.supports[i].load[lane] = tilted.empty() ? model.supports[i].load : tilted[static_cast<std::size_t>(i)];
+}
+
 void loadVehicle(VehicleBlock& block, std::size_t lane, const WheeledObjects& objects, std::uint32_t index) {
     const WheeledUnit& unit = objects.units[index];
     put(block.position, lane, unit.position);
@@ -76,7 +108,7 @@ void loadVehicle(VehicleBlock& block, std::size_t lane, const WheeledObjects& ob
     put(block.linear, lane, unit.linear);
     put(block.angular, lane, unit.angular);
     put(block.force, lane, unit.force);
-    put(block.moment, lane, unit.moment);
+    put(block.moment, lane, unit.moment + unit.rotation * unit.reaction);
     const VehicleModel& model = objects.models[unit.model];
     for (int i = 0; i < model.supportCount; ++i) {
         const SupportState& state = objects.supports[unit.supports + static_cast<std::uint32_t>(i)];
@@ -86,6 +118,7 @@ void loadVehicle(VehicleBlock& block, std::size_t lane, const WheeledObjects& ob
         row.acrossImpulse[lane] = state.across;
         row.cone[lane] = state.cone;
     }
+    if (model.planar) loadLoads(block, lane, objects, unit);
     for (int i = 0; i < model.wheelCount; ++i)
         loadWheel(block.wheels[i], lane, objects.wheels[unit.wheels + static_cast<std::uint32_t>(i)]);
 }
@@ -97,7 +130,7 @@ void loadVehicles(VehicleBlock& block, const WheeledObjects& objects, std::span<
         loadVehicle(block, lane, objects, units[std::min(lane, units.size() - 1)]);
 }
 
-void storeVehicle(const VehicleBlock& block, std::size_t lane, WheeledObjects& objects, std::uint32_t index) {
+void storeVehicle(const VehicleBlock& block, std::size_t lane, WheeledObjects& objects, std::uint32_t index, double h) {
     WheeledUnit& unit = objects.units[index];
     const VehicleModel& model = objects.models[unit.model];
     unit.position = vectorIn(block.position, lane);
@@ -110,9 +143,11 @@ void storeVehicle(const VehicleBlock& block, std::size_t lane, WheeledObjects& o
         objects.supports[unit.supports + static_cast<std::uint32_t>(i)] = {row.keptNormal[lane], row.keptAlong[lane],
                                                                            row.keptAcross[lane], row.keptCone[lane]};
     }
+    Vec3 spunUp = Vec3::Zero();
     for (int i = 0; i < model.wheelCount; ++i) {
         const VehicleWheelRow& row = block.wheels[i];
         WheelState& wheel = objects.wheels[unit.wheels + static_cast<std::uint32_t>(i)];
+        spunUp += wheel.carried * (row.spin[lane] - wheel.spin) * unit.shape->wheels[static_cast<std::size_t>(i)].axis;
         wheel.spin = row.spin[lane];
         wheel.angle = row.angle[lane];
         wheel.impulse = row.impulse[lane];
@@ -120,6 +155,8 @@ void storeVehicle(const VehicleBlock& block, std::size_t lane, WheeledObjects& o
         wheel.halfCosine = row.halfCosine[lane];
         wheel.halfSine = row.halfSine[lane];
     }
+    // Acts in the next tick, half of the rest in each one after that: loads that follow spins which follow loads do not swing.
+    if (!model.planar) unit.reaction = (unit.reaction - spunUp / h) / 2;
 }
 
 void storeSpeeds(const VehicleBlock& block, std::size_t lane, WheeledUnit& unit) {

@@ -14,7 +14,7 @@ namespace trundle {
 /// Vehicles of one model, at most kVehicleLanes. Lanes left over repeat the last of them.
 void loadVehicles(VehicleBlock& block, const WheeledObjects& objects, std::span<const std::uint32_t> units);
 /// The state of one lane after the tick.
-void storeVehicle(const VehicleBlock& block, std::size_t lane, WheeledObjects& objects, std::uint32_t unit);
+void storeVehicle(const VehicleBlock& block, std::size_t lane, WheeledObjects& objects, std::uint32_t unit, double h);
 
 /// Its velocities alone, from those in the lane.
 void storeSpeeds(const VehicleBlock& block, std::size_t lane, WheeledUnit& unit);

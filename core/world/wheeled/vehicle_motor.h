@@ -28,32 +28,44 @@ inline void store(VehicleMotorPiece& p, int o, const Piece& v) {
     store(p.inverse + o, v.inverse);
 }
 
+/// Spin of a wheel that nothing but its motor and its bearing holds.
+struct FreeWheel {
+    [[nodiscard]] Lanes spin(const Piece& piece, Lanes momentum) const { return piece.spin(momentum); }
+};
+/// Of one that does not slip: the mass of its tread moves with it.
+struct GrippingWheel {
+    Lanes tread; // inverse mass
+    [[nodiscard]] Lanes spin(const Piece& piece, Lanes momentum) const { return piece.spin(momentum) * (tread * piece.inverse); }
+};
+
 /// Without dry friction: more spin is more torque at the same momentum.
-inline Piece driven(const VehicleWheelRow& wheel, int o, Lanes momentum) {
+template <class Wheel> inline Piece driven(const VehicleWheelRow& wheel, int o, Lanes momentum, const Wheel& grip) {
     Piece piece = load(wheel.line, o);
-    Lanes spin = piece.spin(momentum);
+    Lanes spin = grip.spin(piece, momentum);
     for (const VehicleMotorPiece& limit : wheel.most) {
         const Piece p = load(limit, o);
-        const Lanes at = p.spin(momentum);
+        const Lanes at = grip.spin(p, momentum);
         piece = select(spin > at, p, piece);
         spin = least(spin, at);
     }
     for (const VehicleMotorPiece& limit : wheel.least) {
         const Piece p = load(limit, o);
-        const Lanes at = p.spin(momentum);
+        const Lanes at = grip.spin(p, momentum);
         piece = select(spin < at, p, piece);
         spin = most(spin, at);
     }
     return piece;
 }
 
-/// Where the motor cannot overcome its dry friction, the wheel rests.
-inline Piece pieceAt(const VehicleWheelRow& wheel, int o, Lanes momentum) {
-    const Piece plain = driven(wheel, o, momentum);
+/// Where the motor cannot overcome its dry friction, the wheel rests. Whether it grips or not, its spin is a least and most of those of the
+/// pieces, as their torque is: the right piece is found without a search.
+template <class Wheel = FreeWheel>
+inline Piece pieceAt(const VehicleWheelRow& wheel, int o, Lanes momentum, const Wheel& grip = {}) {
+    const Piece plain = driven(wheel, o, momentum, grip);
     const Lanes dry = load(wheel.dryImpulse + o);
     if (!any(dry > 0.0)) return plain;
-    Piece ahead = driven(wheel, o, momentum - dry), back = driven(wheel, o, momentum + dry);
-    const Mask goesAhead = ahead.spin(momentum - dry) > 0.0, goesBack = back.spin(momentum + dry) < 0.0;
+    Piece ahead = driven(wheel, o, momentum - dry, grip), back = driven(wheel, o, momentum + dry, grip);
+    const Mask goesAhead = grip.spin(ahead, momentum - dry) > 0.0, goesBack = grip.spin(back, momentum + dry) < 0.0;
     ahead.offset -= dry;
     back.offset += dry;
     const Piece held = select(goesAhead, ahead, select(goesBack, back, load(wheel.still, o)));

@@ -156,7 +156,7 @@ inline void prepareLanes(VehicleBlock& b, int o, const VehicleModel& m, const Ve
         VehicleSupportRow& row = b.supports[i];
         const Lanes3 centre = times(axes, {all(s.centre[0]), all(s.centre[1]), all(s.centre[2])});
         const Lanes3 arm{centre.x, centre.y, centre.z - s.radius};
-        if (m.planar) store(row.normal + o, all(h * s.load));
+        if (m.planar) store(row.normal + o, h * load(row.load + o));
         else prepareNormal(row, o, m, inverse, arm, s.radius - (height + centre.z), h, v);
         const bool rolls = s.rolling > 0;
         if (s.friction > 0) prepareFriction(row, o, s, inverse, axes, rolls ? centre : arm, inverseMass, v);

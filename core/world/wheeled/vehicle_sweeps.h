@@ -8,7 +8,6 @@ namespace trundle {
 namespace {
 
 constexpr double kLeast = 1e-12;
-constexpr int kPieceSteps = 3;
 constexpr int kWholeSteps = 12; // sweeps: friction at its limit takes half steps after them
 
 inline Lanes solveNormal(VehicleSupportRow& row, int o, double soft, double inverseMass, Lanes* v) {
@@ -42,17 +41,10 @@ inline Lanes solveAlong(const VehicleSupportRow& row, const VehicleWheelRow* whe
                         Lanes& inverse) {
     inverse = load(row.way.inverse + o);
     if (!wheel) return -slip * inverse;
-    const Lanes momentum = load(wheel->momentum + o);
-    Piece piece = pieceAt(*wheel, o, momentum);
-    Lanes change = all(0);
-    for (int again = 0; again < kPieceSteps; ++again) {
-        inverse = piece.inverse;
-        change = (lever * piece.spin(momentum) - slip) * inverse;
-        const Piece next = pieceAt(*wheel, o, momentum - lever * change);
-        if (!any((next.offset != piece.offset) | (next.mobility != piece.mobility))) break; // the same again for all
-        piece = next;
-    }
-    return change;
+    const Lanes momentum = load(wheel->momentum + o), tread = load(row.way.mass + o);
+    const Piece piece = pieceAt(*wheel, o, momentum + lever * slip * inverse, GrippingWheel{tread});
+    inverse = piece.inverse;
+    return (lever * piece.spin(momentum) - slip) * inverse;
 }
 
 /// Of a ball that turns freely (prepareRolling()).

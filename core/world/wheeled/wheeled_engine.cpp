@@ -28,6 +28,7 @@ WheeledEngine::WheeledEngine(EngineSettings settings, bool planar, std::optional
     m_objects.planar = planar;
     m_objects.surfaces = m_settings.surfaces;
     m_objects.weight = -m_settings.gravity.z();
+    m_objects.tilt = m_settings.gravity.head<2>() / m_objects.weight;
 }
 
 Result<GeomHandle> WheeledEngine::addStatic(const GeomSpec& geom, const Pose& pose) {
@@ -119,7 +120,7 @@ void WheeledEngine::addWheels(const ActorDef& actor, ActorHandles& handles) {
     const auto& wheels = m_objects.units.back().shape->wheels;
     for (const WheelShape& wheel : wheels) {
         WheelState state;
-        state.inertia = wheel.inertia;
+        state.inertia = state.carried = wheel.inertia;
         m_objects.wheels.push_back(state);
     }
     if (!actor.joints) return;
@@ -155,10 +156,11 @@ void WheeledEngine::setSurface(std::size_t surface, const SurfaceSpec& values) {
     for (std::size_t i = 0; i < m_shapes.size(); ++i) m_objects.models[i] = vehicleModel(*m_shapes[i].shape, m_objects);
 }
 
-Status WheeledEngine::addAxialInertia(JointHandle joint, double inertia) {
+Status WheeledEngine::addRotor(JointHandle joint, double inertia, double ratio) {
     const std::uint32_t wheel = m_objects.wheelOf[joint.index];
     if (wheel == kNoGeom) return Error{Code::NotInEngine, "its joint turns no wheel"};
-    m_objects.wheels[wheel].inertia += inertia;
+    m_objects.wheels[wheel].inertia += ratio * ratio * inertia;
+    m_objects.wheels[wheel].carried += ratio * inertia;
     return {};
 }
 
@@ -206,7 +208,7 @@ void WheeledEngine::applyMotions() {
         if (unit.ended) continue;
         unit.position = m.motion * unit.position;
         unit.rotation = (m.motion.rotation * unit.rotation).normalized();
-        unit.linear = unit.angular = unit.grip = Vec3::Zero();
+        unit.linear = unit.angular = unit.grip = unit.reaction = Vec3::Zero();
         unit.setPlane();
         setDown(unit);
         for (std::size_t i = 0; i < unit.shape->supports.size(); ++i) m_objects.supports[unit.supports + i] = {};

@@ -27,11 +27,8 @@ public:
     void setSurfaceVelocity(GeomHandle geom, const Vec3& velocity) override;
     void setSurface(std::size_t surface, const SurfaceSpec& values) override;
     void moveActor(ActorHandle actor, const Pose& motion) override { m_motions.push_back({actor.index, motion}); }
-    [[nodiscard]] Status addAxialInertia(JointHandle joint, double inertia) override;
-    /// Of the wheel alone, about its axle.
-    [[nodiscard]] Status addRotor(JointHandle joint, double inertia, double ratio) override {
-        return addAxialInertia(joint, ratio * ratio * inertia);
-    }
+    [[nodiscard]] Status addAxialInertia(JointHandle joint, double inertia) override { return addRotor(joint, inertia, 1); }
+    [[nodiscard]] Status addRotor(JointHandle joint, double inertia, double ratio) override;
     [[nodiscard]] Status measureWrench(JointHandle joint) override;
     void findContacts() override;
     [[nodiscard]] std::optional<EngineFault> step(double h) override;

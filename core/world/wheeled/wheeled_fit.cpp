@@ -1,6 +1,7 @@
 #include "world/wheeled/wheeled.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <map>
 #include <set>
 #include <tuple>
@@ -31,23 +32,18 @@ public:
     [[nodiscard]] const std::string& reason() const { return m_first; }
     [[nodiscard]] const std::optional<LevelGround>& ground() const { return m_ground; }
 
-    /// That below most robots, of equal ones the highest: whatever their names and order. What is fixed to the world counts last.
+    /// That below most robots, of equal ones the highest: whatever their names and order. What is fixed to the world counts last. Where
+    /// there is none, that which they are deep in.
     void findGround() {
-        GroundSearch grounds;
         std::vector<std::pair<const StaticSpec*, const GeomSpec*>> all;
         eachStatic([&](const StaticSpec& s, const GeomSpec& g) {
-            grounds.add(static_cast<std::uint32_t>(all.size()), g, s.pose * g.pose);
+            m_grounds.add(static_cast<std::uint32_t>(all.size()), g, s.pose * g.pose);
             all.emplace_back(&s, &g);
         });
-        std::map<double, std::pair<std::size_t, std::size_t>> robots; // by height of the ground: free and fixed ones
-        for (const RobotSpec& robot : m_experiment.robots) {
-            const auto level = grounds.under(lowest(robot), robot.pose.position.head<2>());
-            if (level) ++(isFixed(robot) ? robots[level->height].second : robots[level->height].first);
-        }
-        if (robots.empty()) return;
-        const auto most =
-            std::ranges::max_element(robots, {}, [](const auto& entry) { return std::pair(entry.second, entry.first); });
-        m_ground = grounds.at(most->first);
+        auto height = mostCommonLevel(&Heights::lowest);
+        if (!height) height = mostCommonLevel(&Heights::middle);
+        if (!height) return;
+        m_ground = m_grounds.at(*height);
         for (const LevelGround::Slab& slab : m_ground->slabs)
             if (!isSame(m_experiment.surfaces[slab.surface], m_experiment.surfaces[m_ground->surface()]))
                 refuse(all[slab.geom].first->name + ": geom " + all[slab.geom].second->name +
@@ -75,10 +71,41 @@ private:
     static Start startOf(const RobotSpec& spec) {
         return {spec.config.get(), spec.pose.position.z(), spec.pose.rotation.x(), spec.pose.rotation.y()};
     }
-    double lowest(const RobotSpec& spec) {
-        const auto [known, isNew] = m_lowest.try_emplace(startOf(spec));
-        if (isNew) known->second = lowestOf(actorOf(spec));
+    struct Heights {
+        double lowest = 0;      ///< point of what collides, m
+        double middle = -1e300; ///< the highest centre of mass of its bodies, m
+    };
+    const Heights& heights(const RobotSpec& spec) {
+        const auto [known, isNew] = m_heights.try_emplace(startOf(spec));
+        if (!isNew) return known->second;
+        const ActorDef actor = actorOf(spec);
+        known->second.lowest = lowestOf(actor);
+        for (const BodyDef& body : actor.bodies)
+            known->second.middle = std::max(known->second.middle, (body.pose * body.spec->mass.centre).z());
         return known->second;
+    }
+    /// Below the given points of its robots.
+    std::optional<double> mostCommonLevel(double Heights::*from) {
+        std::map<double, std::pair<std::size_t, std::size_t>> robots; // by height of the ground: free and fixed ones
+        for (const RobotSpec& robot : m_experiment.robots) {
+            const auto level = m_grounds.under(heights(robot).*from, robot.pose.position.head<2>());
+            if (level) ++(isFixed(robot) ? robots[level->height].second : robots[level->height].first);
+        }
+        if (robots.empty()) return {};
+        return std::ranges::max_element(robots, {}, [](const auto& entry) { return std::pair(entry.second, entry.first); })
+            ->first;
+    }
+    /// Refuses a free robot on level ground at another height than the ground.
+    bool isOnOtherLevel(const RobotSpec& spec) {
+        if (isFixed(spec)) return false;
+        const double lowest = heights(spec).lowest;
+        const auto level = m_grounds.under(lowest, spec.pose.position.head<2>());
+        if (!level || lowest - level->height > kOnGround || std::abs(level->height - m_ground->height) < kTouching) return false;
+        char text[100];
+        std::snprintf(text, sizeof text, "it starts on level ground %.1f mm %s that of other robots",
+                      1e3 * std::abs(level->height - m_ground->height), level->height > m_ground->height ? "above" : "below");
+        refuse(spec.name + ": " + text, spec.nameRange);
+        return true;
     }
     static bool isFixed(const RobotSpec& spec) {
         return spec.scenery || std::ranges::any_of(spec.config->joints, [](const JointSpec& joint) {
@@ -128,6 +155,7 @@ private:
                 refuse(spec.name + ": " + device.name + " is a ForceSensor, which measures in a joint", device.nameRange);
             else if (device.kind == "Latch")
                 refuse(spec.name + ": " + device.name + " is a Latch, which joins robots", device.nameRange);
+        if (isOnOtherLevel(spec)) return nullptr;
         NotWheeled why;
         auto shape = ActorReader(m_experiment.surfaces, *m_ground).read(actorOf(spec), why);
         if (!shape) {
@@ -166,11 +194,12 @@ private:
 
     const ExperimentSpec& m_experiment;
     Diagnostics* m_out;
+    GroundSearch m_grounds;
     std::optional<LevelGround> m_ground;
     Movers m_movers;
     std::string m_first; ///< reason
     std::set<std::pair<SourceRange, std::string>> m_reported;
-    std::map<Start, double> m_lowest;
+    std::map<Start, Heights> m_heights;
     std::map<Start, std::shared_ptr<const ActorShape>> m_shapes;
 };
 

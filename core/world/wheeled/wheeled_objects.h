@@ -29,6 +29,7 @@ struct WheelState {
     MotorConstraint motor;
     double torque = 0;   ///< of devices for one tick, N m
     double inertia = 0;  ///< kg m^2
+    double carried = 0;  ///< kg m^2: its angular momentum over its spin, with that of its motor's rotor
     double friction = 0; ///< of the motor's drive in the last tick, N m s
 
     void stop() { spin = impulse = friction = 0; }
@@ -41,6 +42,7 @@ struct WheeledUnit {
     Quat rotation = Quat::Identity();
     Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero(); ///< on it for one tick, N, N m
+    Vec3 reaction = Vec3::Zero();                     ///< of a vehicle: moment of its wheels as they spin up, in its axes, N m
     Vec3 grip = Vec3::Zero(); ///< of something loose: impulse of its ground, x, y, and turning over spinRadius
     std::uint32_t bodies = 0, geoms = 0, joints = 0; ///< the first of each
     std::uint32_t supports = 0, wheels = 0;          ///< the first of each
@@ -70,7 +72,8 @@ struct WheeledGeom {
 struct WheeledObjects {
     std::vector<SurfaceSpec> surfaces;
     std::optional<LevelGround> ground;
-    double weight = 0; ///< of 1 kg on the ground, N
+    double weight = 0;        ///< of 1 kg on the ground, N
+    Vec2 tilt = Vec2::Zero(); ///< of gravity: its level part over the other
     bool planar = false; ///< vehicles keep their height and do not lean
     std::vector<WheeledUnit> units;
     std::vector<VehicleModel> models; ///< one for each shape

@@ -35,8 +35,6 @@ VehicleModel fourSupports() {
     if (!planar) return model;
     model.planar = true;
     std::ranges::copy(std::array<double, 6>{0, 0, 0, 0, 0, 30}, model.inverseInertia);
-    const double loads[4] = {11.5, 8.25, 2.5, 1.25};
-    for (int i = 0; i < 4; ++i) model.supports[i].load = loads[i];
     return model;
 }
 
@@ -124,6 +122,8 @@ std::unique_ptr<VehicleBlock> blockOf(const Vehicles& vehicles) {
         const auto take = [&](VehicleField& f) { f[lane] = start.numbers[at++]; };
         eachField(*block, take);
         eachImpulse(*block, take);
+        const double loads[4] = {11.5, 8.25, 2.5, 1.25}; // N
+        for (int i = 0; i < 4; ++i) block->supports[i].load[lane] = loads[i];
     }
     return block;
 }

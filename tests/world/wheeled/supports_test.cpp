@@ -64,6 +64,8 @@ QString refusal(const std::function<void(RobotConfigSpec&)>& change, const std::
 
 } // namespace
 
+Q_DECLARE_METATYPE(std::function<void(trundle::RobotConfigSpec&)>)
+
 class SupportsTest : public QObject {
     Q_OBJECT
 
@@ -176,6 +178,36 @@ private Q_SLOTS:
         QVERIFY(std::abs(pose.position.y()) < 1e-4 && std::abs(heading) < 0.01);
     }
 
+    void wheelsThatSpinUpLeanOnTheRear_data() {
+        QTest::addColumn<double>("tick");
+        for (const double tick : {0.002, 0.01, 0.02}) QTest::addRow("%g ms", 1e3 * tick) << tick;
+    }
+    /// Four heavy wheels, the front ones driven: these carry M g / 2 - (M a z + 4 I a / r) / L.
+    void wheelsThatSpinUpLeanOnTheRear() {
+        QFETCH(double, tick);
+        auto config = std::make_shared<RobotConfigSpec>(*skid());
+        config->bodies[0].mass = massOfBox(2, {0.3, 0.2, 0.1}, {0, 0, 0.05});
+        config->bodies[1].mass = massOfBox(0.001, {0.05, 0.05, 0.05});
+        const Quat sideways = rotationFromHpr(degrees(0, 0, 90));
+        for (std::size_t i = 2; i < 6; ++i) config->bodies[i].mass = massOfCylinder(2, 0.05, 0.03, sideways);
+        Scene scene = onGround(EngineChoice::Wheeled, tick);
+        scene.robot("r", {}, config);
+        auto world = scene.build();
+        QVERIFY(world);
+        const double acceleration = 2, mass = 10.001, spin = 4 * 2 * 0.05 * 0.05 / 2 * acceleration / 0.05;
+        for (int k = 1; k * tick < 0.4; ++k) {
+            for (const char* motor : {"r/frontLeft", "r/frontRight"})
+                command(*world, motor, acceleration * k * tick / 0.05, 0, kStrong);
+            QVERIFY(world->tick().ok());
+        }
+        double front = 0;
+        for (const WorldContact& c : world->contacts())
+            if (c.first.starts_with("r/front")) front += c.force;
+        const double expected = mass * g / 2 - (mass * acceleration * 0.05 + spin) / 0.2;
+        qInfo("%.4f N, closed form %.4f", front, expected);
+        QVERIFY(std::abs(front / expected - 1) < 2e-3);
+    }
+
     void strongGravity_data() {
         QTest::addColumn<double>("gravity"); // m/s^2
         QTest::addColumn<double>("mass");    // kg
@@ -216,6 +248,58 @@ private Q_SLOTS:
             c.bodies[1].mass.centre = {0, 0.01, 0.02};
         }));
         QCOMPARE(refusal([](RobotConfigSpec& c) { c.bodies[1].mass.centre.y() = 0.01; }, ball), QString());
+    }
+
+    void saysWhyAWheelIsNone_data() {
+        using Change = std::function<void(RobotConfigSpec&)>;
+        QTest::addColumn<Change>("change");
+        QTest::addColumn<QString>("reason");
+        const auto row = [](const char* reason, Change change) { QTest::newRow(reason) << std::move(change) << QString(reason); };
+        row("the Hinge leftAxle has Friction; a wheel turns", [](RobotConfigSpec& c) { c.joints[0].friction = 0.01; });
+        row("the Hinge leftAxle has stops", [](RobotConfigSpec& c) { c.joints[0].highStop = 1; });
+        row("the Hinge leftAxle has a spring", [](RobotConfigSpec& c) { c.joints[0].stiffness = 1; });
+        row("the Hinge leftAxle has its wheel as its Parent",
+            [](RobotConfigSpec& c) { std::swap(c.joints[0].parent, c.joints[0].child); });
+        row("wheel leftWheel has more than one geom that collides", [](RobotConfigSpec& c) {
+            c.bodies[1].geoms.push_back(c.bodies[1].geoms[0]);
+            c.bodies[1].geoms[1].radius = 0.03;
+        });
+        row("wheel leftWheel has its middle 5.0 mm beside",
+            [](RobotConfigSpec& c) { c.bodies[1].geoms[0].pose.position.x() = 0.005; });
+        row("wheel leftWheel has its middle 2.0 mm beside", [](RobotConfigSpec& c) { c.joints[0].anchor.z() += 0.002; });
+        row("wheel leftWheel is a Capsule", [](RobotConfigSpec& c) { c.bodies[1].geoms[0].shape = GeomShape::Capsule; });
+        row("wheel leftWheel is 30.0 mm above the ground", [](RobotConfigSpec& c) { c.bodies[1].geoms[0].radius = 0.02; });
+        row("the Hinge leftAxle is not the axle of a wheel on the ground", [](RobotConfigSpec& c) { // an arm
+            c.bodies[1].geoms = {box("arm", {0.2, 0.02, 0.02})};
+        });
+        row("geom slider is a Sphere on the ground, which is a caster only", [](RobotConfigSpec& c) {
+            c.joints.clear();
+            c.devices.clear();
+            c.bodies.resize(1);
+            for (const double y : {0.1, -0.1}) c.bodies[0].geoms.push_back(sphere("bow", 0.02, at(0.1, y, 0.02), 2));
+        });
+    }
+    void saysWhyAWheelIsNone() {
+        QFETCH(std::function<void(RobotConfigSpec&)>, change);
+        QFETCH(QString, reason);
+        const QString said = refusal(change, r0());
+        QVERIFY2(said.contains(reason), qPrintable(said));
+    }
+
+    void saysWhereItStarts() {
+        const auto refused = [](const Scene& scene) {
+            Diagnostics diagnostics;
+            return World::build(scene.spec, rowOnly, diagnostics) ? QString()
+                                                                  : QString::fromStdString(diagnostics.all().at(0).message);
+        };
+        Scene deep = onGround(EngineChoice::Wheeled);
+        deep.robot("r", at(0, 0, -0.01), r0());
+        QVERIFY2(refused(deep).contains("r: wheel leftWheel is 10.0 mm in the ground"), qPrintable(refused(deep)));
+        Scene two = onGround(EngineChoice::Wheeled);
+        two.scenery({box("table", {1, 1, 0.2}, at(5, 0, 0.1), 1)}).robot("a", {}, r0()).robot("b", at(5, 0, 0.2), r0());
+        QVERIFY2(refused(two).contains("a: it starts on level ground 200.0 mm below"), qPrintable(refused(two)));
+        two.robot("c", at(0, 2, 0), r0());
+        QVERIFY2(refused(two).contains("b: it starts on level ground 200.0 mm above"), qPrintable(refused(two)));
     }
 };
 

@@ -11,6 +11,7 @@
 
 #include "base/platform/next_symbol.h"
 #include "world/ode/lcp/row_solver.h"
+#include "world/ode/lcp/row_sweeps.h"
 
 static_assert(std::string_view(dODE_VERSION).starts_with("0.16."), "dxSolveLCP may have other parameters in this version of ODE");
 
@@ -25,7 +26,7 @@ namespace {
 using SolveLcp = decltype(dxSolveLCP);
 thread_local trundle::SolvedIslands t_solved;
 constexpr unsigned kRowsOfOde = 260; // so many it solves in some ten milliseconds
-thread_local bool t_onlyQuick = false, t_gaveUp = false;
+thread_local bool t_onlyQuick = false, t_gaveUp = false, t_swept = false;
 
 } // namespace
 
@@ -35,6 +36,11 @@ void dxSolveLCP(dxWorldProcessMemArena* arena, unsigned n, double* a, double* pa
         reinterpret_cast<SolveLcp*>(trundle::nextSymbol("_Z10dxSolveLCPP22dxWorldProcessMemArenajPdS1_S1_jS1_Pi"));
     thread_local trundle::RowSolver solver;
     ++t_solved.count;
+    thread_local trundle::RowSweeps sweeps;
+    if (!w && t_swept && n > 1) {
+        t_gaveUp |= !sweeps.solve({n, a, trundle::TileMatrix::padded(n), pairslh, findex}, pairsbx);
+        return;
+    }
     if (!w && solver.solve({n, a, n > 1 ? trundle::TileMatrix::padded(n) : 1, pairslh, findex}, pairsbx)) return;
     if (t_onlyQuick && n > kRowsOfOde) {
         t_gaveUp = true;
@@ -46,6 +52,10 @@ void dxSolveLCP(dxWorldProcessMemArena* arena, unsigned n, double* a, double* pa
 }
 
 namespace trundle {
+
+SweptIslands::SweptIslands() { t_swept = true, t_gaveUp = false; }
+SweptIslands::~SweptIslands() { t_swept = false; }
+bool SweptIslands::gaveUp() const { return t_gaveUp; }
 
 SolvedIslands solvedIslands() { return t_solved; }
 

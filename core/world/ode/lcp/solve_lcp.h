@@ -27,6 +27,16 @@ private:
     std::uint64_t m_before;
 };
 
+/// As long as it lives, the islands of this thread are solved by RowSweeps.
+class SweptIslands {
+public:
+    SweptIslands();
+    ~SweptIslands();
+    SweptIslands(const SweptIslands&) = delete;
+    SweptIslands& operator=(const SweptIslands&) = delete;
+    [[nodiscard]] bool gaveUp() const; ///< the solution is nonsense
+};
+
 /// Also has the linker take that file, which nothing else refers to.
 [[nodiscard]] SolvedIslands solvedIslands();
 

@@ -1,5 +1,4 @@
 #include "world/ode/solver/cluster_solver.h"
-#include "world/ode/joints/axis_motor.h"
 
 #include <algorithm>
 #include <cstring>
@@ -22,14 +21,13 @@ constexpr int kMaxRepeats = 3;
 constexpr int kWhipSteps = 8;
 constexpr double kWhip = 2e-4; // m that a joint is off
 constexpr std::size_t kWorthSharing = 16; // clusters, by all threads
-constexpr int kShortSteps = 8; // measured: a stack of ten boxes stands with 4
 
 } // namespace
 
 ClusterSolver::ClusterSolver(const EngineSettings& settings, OdeWorld& world, const OdeObjects& objects, TickContacts& contacts,
                              const ContactRows& rows, JointDrift& drift)
-    : m_settings(settings), m_world(world), m_objects(objects), m_contacts(contacts), m_rows(rows), m_drift(drift),
-      m_group(dJointGroupCreate(0)) {}
+    : m_settings(settings), m_world(world), m_objects(objects), m_contacts(contacts), m_drift(drift),
+      m_short(world, objects, contacts, rows) {}
 
 void ClusterSolver::step(double h, SolverPlan& plan) {
     m_countedQuick = m_countedRescue = false;
@@ -49,13 +47,13 @@ void ClusterSolver::stepAgain(double h, SolverPlan& plan) {
 }
 
 void ClusterSolver::run(double h, SolverPlan& plan) {
-    m_rescued = false;
+    m_rescued = m_swept = false;
     m_quick.clear();
     m_stumbles.resize(m_objects.bodies.size(), 0);
     m_allQuick = m_settings.solver == SolverChoice::Quick;
     if (m_allQuick) stepAllQuickly(h);
     else stepExactly(h, plan);
-    if ((m_allQuick || !m_quick.empty()) && !std::exchange(m_countedQuick, true)) ++m_quickTicks;
+    if ((m_allQuick || m_swept || !m_quick.empty()) && !std::exchange(m_countedQuick, true)) ++m_quickTicks;
     if (m_rescued && !std::exchange(m_countedRescue, true)) ++m_rescuedTicks;
 }
 
@@ -95,7 +93,7 @@ void ClusterSolver::stepExactly(double h, SolverPlan& plan) {
     m_world.share(m_objects.actors.size() >= kWorthSharing);
     BodyClusters& clusters = plan.clusters();
     m_alone.clear();
-    std::ranges::set_union(plan.iterated(), plan.tried(), std::back_inserter(m_alone));
+    std::ranges::set_union(plan.iterated(), plan.piles(), std::back_inserter(m_alone));
     for (const std::uint32_t name : m_alone)
         for (const std::uint32_t body : clusters.bodies(name)) dBodyDisable(m_objects.bodies[body].id);
     m_anyDisabled = !m_alone.empty();
@@ -110,24 +108,33 @@ void ClusterSolver::stepExactly(double h, SolverPlan& plan) {
     repeatBent(h, plan);
     for (const std::uint32_t name : m_alone) {
         disableAll();
-        const bool tried = std::ranges::binary_search(plan.tried(), name) && !plan.isHard(name);
-        if (!tried || !tryLarge(h, plan, name)) iterate(h, clusters.bodies(name));
+        if (!std::ranges::binary_search(plan.piles(), name) || !solvePile(h, plan, name)) iterate(h, clusters.bodies(name));
     }
     std::ranges::sort(m_quick);
     if (m_anyDisabled) enableAll();
 }
 
-/// A large pile exactly. All bodies are disabled before; after a failure as well, with those of the pile where they were.
-bool ClusterSolver::tryLarge(double h, SolverPlan& plan, std::uint32_t name) {
+/// Exactly if that is worth it. All bodies are disabled before; after a failure as well, with those of the pile where they were.
+bool ClusterSolver::solvePile(double h, SolverPlan& plan, std::uint32_t name) {
     BodyClusters& clusters = plan.clusters();
+    const auto putBack = [&] {
+        disableAll();
+        restoreCluster(clusters, name);
+    };
     enableOnly(clusters, std::span(&name, 1));
-    const OnlyQuickIslands quick;
-    const bool solved = tryExactly(h) && !quick.gaveUp();
-    plan.charge(name, quick.work());
-    if (solved) return true;
-    plan.markHard(name);
-    disableAll();
-    restoreCluster(clusters, name);
+    if (!plan.isHard(name)) {
+        const OnlyQuickIslands quick;
+        const bool solved = tryExactly(h) && !quick.gaveUp();
+        plan.charge(name, quick.work());
+        if (solved) return true;
+        plan.markHard(name);
+        putBack();
+        enableOnly(clusters, std::span(&name, 1));
+    }
+    const SweptIslands swept;
+    m_swept = true;
+    if (tryExactly(h) && !swept.gaveUp()) return true;
+    putBack();
     return false;
 }
 
@@ -217,14 +224,14 @@ void ClusterSolver::takeBack(SolverPlan& plan, std::span<const std::uint32_t> bo
 
 /// Solves what was taken back, cluster by cluster where it cannot be solved together, and names in m_unsolved those that cannot at all.
 void ClusterSolver::solveNames(double h, SolverPlan& plan) {
-    const auto isLarge = [&](std::uint32_t name) { return std::ranges::binary_search(plan.tried(), name); };
+    const auto isPile = [&](std::uint32_t name) { return std::ranges::binary_search(plan.piles(), name); };
     m_unsolved.clear();
-    if (std::ranges::none_of(m_names, isLarge) && tryExactly(h)) return;
+    if (std::ranges::none_of(m_names, isPile) && tryExactly(h)) return;
     disableAll();
     for (const std::uint32_t name : m_names) restoreCluster(plan.clusters(), name);
     for (const std::uint32_t name : m_names) {
         enableOnly(plan.clusters(), std::span(&name, 1));
-        const bool solved = isLarge(name) ? tryLarge(h, plan, name) : tryExactly(h);
+        const bool solved = isPile(name) ? solvePile(h, plan, name) : tryExactly(h);
         disableAll();
         if (!solved) m_unsolved.push_back(name);
     }
@@ -291,52 +298,10 @@ void ClusterSolver::whip(double h, BodyClusters& clusters, std::uint32_t name) {
     disableAll();
 }
 
-/// Short steps of the quick solver, with the contacts that the tick began with. All bodies are disabled before and after.
 void ClusterSolver::iterate(double h, std::span<const std::uint32_t> bodies) {
-    const double part = h / kShortSteps;
-    const auto isIn = [&](std::uint32_t body) { return std::ranges::binary_search(bodies, body); };
-    m_iterated.clear();
-    for (std::size_t i = 0; i < m_contacts.all.size(); ++i)
-        if (!m_contacts.all[i].outside && isIn(m_objects.geoms[m_contacts.all[i].first].body)) m_iterated.push_back(i);
-    for (const OdeJoint& joint : m_objects.joints) { // springs and stops are for the whole tick
-        if (!isIn(joint.child)) continue;
-        scaleStops(joint, 1.0 / kShortSteps);
-        if (joint.type == JointType::Suspension)
-            dJointSetHinge2Param(joint.id, dParamSuspensionERP,
-                                 dJointGetHinge2Param(joint.id, dParamSuspensionERP) / kShortSteps);
-    }
-    for (const OdeCoupling& coupling : m_objects.couplings)
-        if (isIn(coupling.first) && !coupling.isTorque)
-            dJointSetDBallDistance(coupling.id, OdeCoupling::kApart + coupling.shift / kShortSteps);
-    m_moved.clear(); // they change from step to step, for the next tick they start as found
-    for (const std::size_t i : m_iterated) {
-        m_contacts.feedbacks[i] = {};
-        if (m_contacts.rows[i]) dJointDisable(m_contacts.rows[i]);
-        m_moved.push_back(m_contacts.all[i]);
-    }
-    m_felt.assign(m_iterated.size(), {});
     m_quick.insert(m_quick.end(), bodies.begin(), bodies.end());
-    for (const std::uint32_t body : bodies) dBodyEnable(m_objects.bodies[body].id);
     seed();
-    m_world.useOneThread(true); // its random numbers are of the thread
-    for (int k = 0; k < kShortSteps; ++k) {
-        for (std::size_t i = 0; i < m_iterated.size(); ++i) m_rows.add(m_moved[i], part, m_group.get(), &m_felt[i]);
-        for (const std::uint32_t body : bodies) {
-            const RawState& s = m_saved[body];
-            dBodySetForce(m_objects.bodies[body].id, s.force[0], s.force[1], s.force[2]);
-            dBodySetTorque(m_objects.bodies[body].id, s.torque[0], s.torque[1], s.torque[2]);
-        }
-        m_world.quickStep(part);
-        dJointGroupEmpty(m_group.get());
-        for (std::size_t i = 0; i < m_iterated.size(); ++i) {
-            OdeContact& c = m_moved[i];
-            for (int axis = 0; axis < 3; ++axis) m_contacts.feedbacks[m_iterated[i]].f1[axis] += m_felt[i].f1[axis] / kShortSteps;
-            c.depth -= part * vec(c.normal).dot(m_objects.contactSpeed(c));
-            Vec3::Map(c.position) += part * m_objects.carriedBy(c);
-        }
-    }
-    m_world.useOneThread(false);
-    for (const std::uint32_t body : bodies) dBodyDisable(m_objects.bodies[body].id);
+    m_short.run(h, bodies, m_saved);
 }
 
 void ClusterSolver::save() {

@@ -1,13 +1,13 @@
 #pragma once
 // Steps the bodies. Everything is solved in one call as long as nothing is wrong, since what hangs together nowhere cannot disturb each
-// other there. Where ODE stumbles over one cluster, that cluster is found and taken again by itself; large piles are iterated in short
-// steps. Method: bodies that shall not move are disabled.
+// other there. Where ODE stumbles over one cluster, that cluster is found and taken again by itself; large piles are
+// solved row after row, larger ones iterated in short steps. Method: bodies that shall not move are disabled.
 
 #include <span>
 #include <vector>
 
-#include "world/ode/contacts/contact_rows.h"
 #include "world/ode/joints/joint_drift.h"
+#include "world/ode/solver/short_steps.h"
 #include "world/ode/solver/solver_plan.h"
 
 namespace trundle {
@@ -39,7 +39,7 @@ public:
     [[nodiscard]] std::span<const RawState> before() const { return m_saved; } ///< by body: before the last step
 
     [[nodiscard]] bool isQuick(std::uint32_t body) const;                       ///< in the last step
-    [[nodiscard]] std::uint64_t quickTicks() const { return m_quickTicks; }     ///< with anything iterated
+    [[nodiscard]] std::uint64_t quickTicks() const { return m_quickTicks; }     ///< with anything swept or iterated
     [[nodiscard]] std::uint64_t rescuedTicks() const { return m_rescuedTicks; } ///< with anything rescued
 
 private:
@@ -47,7 +47,7 @@ private:
     [[nodiscard]] bool tryExactly(double h);
     void stepAllQuickly(double h);
     void stepExactly(double h, SolverPlan& plan);
-    [[nodiscard]] bool tryLarge(double h, SolverPlan& plan, std::uint32_t name);
+    [[nodiscard]] bool solvePile(double h, SolverPlan& plan, std::uint32_t name);
     void solveNames(double h, SolverPlan& plan);
     void stepByThemselves(double h, BodyClusters& clusters, std::span<const std::uint32_t> names);
     void rescue(double h, BodyClusters& clusters, std::uint32_t name);
@@ -67,9 +67,8 @@ private:
     OdeWorld& m_world;
     const OdeObjects& m_objects;
     TickContacts& m_contacts;
-    const ContactRows& m_rows;
     JointDrift& m_drift;
-    OwnedJointGroup m_group;                                 ///< contacts of a short step
+    ShortSteps m_short;
     std::vector<RawState> m_saved;                           ///< before the step, should it have to be taken again
     std::vector<std::uint32_t> m_unexpected;                 ///< bodies
     std::vector<std::uint32_t> m_bent, m_stumbles;           ///< m_stumbles: by body, of clusters that it named
@@ -78,11 +77,8 @@ private:
     // Of clusters, by name; m_alone: too large to be solved with the others.
     std::vector<std::uint32_t> m_names, m_alone, m_unsolved;
     std::vector<RawState> m_whole, m_from; ///< of what is whipped: by the whole tick, before a short step
-    std::vector<std::size_t> m_iterated;   ///< contacts; by these:
-    std::vector<OdeContact> m_moved;
-    std::vector<dJointFeedback> m_felt;
     std::vector<std::uint32_t> m_quick; ///< bodies iterated in this step, sorted
-    bool m_rescued = false, m_allQuick = false, m_anyDisabled = false;
+    bool m_rescued = false, m_swept = false, m_allQuick = false, m_anyDisabled = false;
     bool m_countedQuick = false, m_countedRescue = false; ///< in this tick
     std::uint64_t m_tick = 0, m_quickTicks = 0, m_rescuedTicks = 0;
 };

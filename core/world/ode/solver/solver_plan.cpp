@@ -11,6 +11,7 @@ namespace trundle {
 namespace {
 
 constexpr std::uint32_t kTriedClusterMax = 300; // contacts: a tick of so many takes some ten milliseconds
+constexpr std::uint32_t kSweptClusterMax = 600; // with more the matrix would take most of the time
 // Multiplications: in a tick on the average, measured as some 15 ms, in which 70 crates in stacks are solved, but not 60 balls in a heap;
 // and what may be owed, as the first ticks of a wall take more.
 constexpr std::uint64_t kWorkOfTick = 200'000'000, kMostOwed = 20 * kWorkOfTick;
@@ -27,7 +28,7 @@ bool isLarge(const BodyClusters& clusters, std::uint32_t cluster) {
 
 void SolverPlan::make(SolverChoice choice, const Vec3& up, std::span<OdeContact> contacts, std::span<const OdeGeom> geoms) {
     m_iterated.clear();
-    m_tried.clear();
+    m_piles.clear();
     ++m_tick;
     m_hasOutside = m_found = false;
     m_largest = 0;
@@ -84,15 +85,19 @@ void SolverPlan::iterateLarge(std::span<OdeContact> contacts, std::span<const Od
     for (OdeContact& c : contacts) {
         const std::uint32_t cluster = m_clusters.of(geoms[c.first].body), count = m_clusters.contacts(cluster);
         const bool large = !c.outside && count > kExactClusterMax,
-                   tried = large && count <= kTriedClusterMax && m_clusters.robots(cluster) == 0 && !isHard(cluster);
-        c.iterated = large && !tried;
-        if (large) (tried ? m_tried : m_iterated).push_back(cluster);
+                   pile = large && count <= kSweptClusterMax && m_clusters.robots(cluster) == 0;
+        c.iterated = large && !pile;
+        if (large) (pile ? m_piles : m_iterated).push_back(cluster);
     }
-    for (std::vector<std::uint32_t>* const names : {&m_iterated, &m_tried}) {
+    for (std::vector<std::uint32_t>* const names : {&m_iterated, &m_piles}) {
         std::sort(names->begin(), names->end());
         names->erase(std::unique(names->begin(), names->end()), names->end());
     }
-    for (const std::uint32_t name : m_tried) m_owed[name] -= std::min(m_owed[name], kWorkOfTick);
+    for (const std::uint32_t name : m_piles) m_owed[name] -= std::min(m_owed[name], kWorkOfTick);
+}
+
+bool SolverPlan::isHard(std::uint32_t pile) const {
+    return m_hardUntil[pile] > m_tick || m_clusters.contacts(pile) > kTriedClusterMax;
 }
 
 void SolverPlan::charge(std::uint32_t cluster, std::uint64_t work) {

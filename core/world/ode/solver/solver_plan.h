@@ -2,7 +2,8 @@
 // Which solver takes what, tick by tick: each cluster by itself, so that a body without contacts is solved the same whatever happens
 // elsewhere. A robot with what it touches is exact. Robots that touch each other, and what stands on the floor beside them, push each
 // other through HeapForces, but for arms among up to three robots; what then still hangs together is exact if it is small. A larger pile
-// of loose bodies is tried exactly, as most that rest can be; what cannot, and what is larger still, is iterated in short steps.
+// of loose bodies is tried exactly, as many that rest can be; what cannot, and larger ones, are left to RowSweeps. What is larger still,
+// or a robot is in, is iterated in short steps.
 
 #include <span>
 #include <vector>
@@ -23,12 +24,12 @@ public:
     [[nodiscard]] BodyClusters& clusters() { return m_clusters; }
     // By cluster name, ascending:
     [[nodiscard]] std::span<const std::uint32_t> iterated() const { return m_iterated; }
-    [[nodiscard]] std::span<const std::uint32_t> tried() const { return m_tried; }
-    /// A cluster that could not be solved exactly is iterated for some ticks before it is tried again; so is one that was charged for more
-    /// multiplications than it is worth.
+    [[nodiscard]] std::span<const std::uint32_t> piles() const { return m_piles; }
+    /// A pile that could not be solved exactly is not tried again for some ticks; nor is one that was charged for more multiplications
+    /// than it is worth.
     void markHard(std::uint32_t cluster) { m_hardUntil[cluster] = m_tick + kHardTicks; }
     void charge(std::uint32_t cluster, std::uint64_t work);
-    [[nodiscard]] bool isHard(std::uint32_t cluster) const { return m_hardUntil[cluster] > m_tick; }
+    [[nodiscard]] bool isHard(std::uint32_t pile) const;
     [[nodiscard]] bool hasOutside() const { return m_hasOutside; }
     /// Contacts in the largest cluster of this tick that is solved exactly, and its name; 0 without contacts between bodies.
     [[nodiscard]] std::uint32_t largest() const { return m_largest; }
@@ -40,8 +41,8 @@ private:
     void findLargest(std::span<const OdeContact> contacts, std::span<const OdeGeom> geoms);
 
     BodyClusters m_clusters;
-    std::vector<std::uint32_t> m_iterated, m_tried;
-    static constexpr std::uint64_t kHardTicks = 20;
+    std::vector<std::uint32_t> m_iterated, m_piles;
+    static constexpr std::uint64_t kHardTicks = 100;
     std::vector<std::uint64_t> m_hardUntil, m_owed; ///< by the body that names a cluster; m_hardUntil: tick
     std::uint64_t m_tick = 0;
     std::vector<bool> m_stands;  ///< by group
