@@ -107,14 +107,18 @@ ExitCode check(Application& application, const CheckArguments& arguments) {
         const bool ofModels = isOfModels(loaded);
         const SourceTable sources = ofModels ? withoutModels(loaded.sources) : loaded.sources;
         if (ofModels) diagnostics = atTheirModels(loaded, diagnostics);
-        if (diagnostics.hasErrors() && code == kExitDone) code = kExitText;
+        const bool lacksModules =
+            !hasAllModules(diagnostics); // warnings only: the user may trust them, or describe them, before a run
+        if ((diagnostics.hasErrors() || lacksModules) && code == kExitDone) code = kExitText;
         if (arguments.json) {
             for (auto& entry : diagnosticsJson(diagnostics.all(), sources)) all.push_back(std::move(entry));
             continue;
         }
         printDiagnostics(diagnostics.all(), sources);
         const std::string counts = countText(diagnostics.all());
-        if (!writeOut(cleanLine(file) + ": " + (counts.empty() ? "ok" : counts) + "\n") && code == kExitDone) code = kExitText;
+        const char* const refused = lacksModules && !diagnostics.hasErrors() ? "; a run is refused without the module" : "";
+        if (!writeOut(cleanLine(file) + ": " + (counts.empty() ? "ok" : counts) + refused + "\n") && code == kExitDone)
+            code = kExitText;
     }
     if (arguments.json && !writeOut(jsonText(all)) && code == kExitDone) code = kExitText;
     return code;
@@ -129,7 +133,8 @@ Beside mistakes in the text it says what starts inside something else, below the
 differ too much in mass, which drives disagree with their wheels or are too weak, and what a run would refuse. For that it sets up
 robots with the controllers of trusted modules, as a run does, but takes no step.
 
-Exit codes: 0 no errors (there may be warnings), 1 errors, 2 a FILE that cannot be read.)";
+Exit codes: 0 no errors (there may be warnings), 1 errors, or a module that a run with the same options does not load, 2 a FILE that
+cannot be read.)";
 
 } // namespace
 

@@ -216,7 +216,7 @@ ExitCode DriveCommand::report(const LoopOutcome& outcome) {
     if (!m_arguments.quiet) {
         std::string text = "drove " + m_runner->world().experiment().robots[0].name + " for " +
                            exactText(m_runner->world().time()) + " s, " + std::to_string(m_runner->world().ticks()) + " ticks\n";
-        if (finish) text += "the controller " + finish->controller + " finished: " + finish->reason + "\n";
+        if (finish) text += "the controller " + finish->controller + " finished: " + cleanLine(finish->reason) + "\n";
         for (const std::string& file : m_runner->logFiles()) text += "log " + file + "\n";
         if (!writeOut(cleanText(text))) return kExitText;
     }

@@ -7,6 +7,7 @@
 #include "base/codes.h"
 #include "cli/exit_code.h"
 #include "cli/standard_streams.h"
+#include "crash/last_steps.h"
 #include "crash/signal_text.h"
 
 namespace trundle {
@@ -26,6 +27,10 @@ void addNotResponding(MessageBuilder& words, const EarlyEndFacts& facts, const E
         addPhase(words, *facts.calls);
         addTime(words, facts);
         words << ": it did not return within " << waited << " s of the request to end";
+        return;
+    }
+    if (!facts.calls) {
+        words << "code of a module is not responding";
         return;
     }
     words << "one step of the solver";
@@ -55,7 +60,7 @@ void addText(MessageBuilder& words, const EarlyEndFacts& facts, const EarlyEnd& 
 /// {"robot", "kind", "module", "during", "reason"}
 void addWhere(SignalText& out, const EarlyEndFacts& facts, const EarlyEnd& end) {
     const CallTarget* target = crashSite(facts, end.cause);
-    const char* body = target ? nullptr : facts.calls->clusterBody();
+    const char* body = target || !facts.calls ? nullptr : facts.calls->clusterBody();
     out.add("{\"robot\": ").addJson(target ? target->robot.c_str() : nullptr);
     out.add(", \"kind\": ").addJson(target ? target->kind.c_str() : nullptr);
     const CallTarget* owner = target ? target : end.cause.threadOf;
@@ -76,13 +81,16 @@ void addWhere(SignalText& out, const EarlyEndFacts& facts, const EarlyEnd& end) 
     out.add("}");
 }
 
+void addText(SignalText& out, const KeptText& kept) { out.add(kept.text().data(), kept.text().size()); }
+
 /// Writes the usual keys with the values available in the middle of a tick.
 void addMiddle(SignalText& out, const EarlyEndFacts& facts, const EarlyEnd& end) {
-    const double wall = secondsSince(facts.startS), simulated = facts.calls->time();
+    const double wall = secondsSince(facts.startS), simulated = facts.calls ? facts.calls->time() : 0;
     rusage used{};
     getrusage(RUSAGE_SELF, &used);
-    out.add("{\n  \"ticks\": ").add(facts.calls->ticks());
-    out.add(",\n  \"simulated_s\": ").add(simulated);
+    out.add("{\n  \"ticks\": ");
+    if (facts.calls) out.add(facts.calls->ticks()).add(",\n  \"simulated_s\": ").add(simulated);
+    else out.add("null,\n  \"simulated_s\": null");
     out.add(",\n  \"wall_s\": ").add(wall);
     out.add(",\n  \"real_time_factor\": ").add(wall > 0 ? simulated / wall : 0);
     out.add(",\n  \"peak_memory_kb\": ").add(static_cast<std::uint64_t>(used.ru_maxrss));
@@ -92,13 +100,15 @@ void addMiddle(SignalText& out, const EarlyEndFacts& facts, const EarlyEnd& end)
     out.add(end.kind == EarlyEndKind::NotResponding || end.kind == EarlyEndKind::Interrupted ? "true" : "false");
     out.add(",\n  \"robots\": {");
     const EarlyPoses* poses = facts.poses.load();
-    if (poses) out.add(poses->members.data(), poses->members.size());
+    if (poses) addText(out, poses->members);
     out.add("},\n  \"objects\": null,\n  \"ended\": null,\n  \"stopped\": null,\n  \"robots_time_s\": ");
     if (poses) out.add(poses->timeS);
     else out.add("null");
     out.add(",\n  \"diagnostics\": [");
-    if (const std::string* before = facts.diagnostics.load(); before && !before->empty())
-        out.add(before->data(), before->size()).add(",");
+    if (const KeptText* before = facts.diagnostics.load(); before && !before->text().empty()) {
+        addText(out, *before);
+        out.add(",");
+    }
     out.add("{\"file\": \"\", \"line\": 0, \"column\": 0, \"end_line\": 0, \"end_column\": 0, \"severity\": \"error\", \"code\": "
             "\"E");
     const int exit = exitCodeOf(facts, end);
@@ -111,10 +121,9 @@ void addMiddle(SignalText& out, const EarlyEndFacts& facts, const EarlyEnd& end)
     out.add("\", \"suggestions\": [], \"fixes\": []}]");
 }
 
-void printJson(const EarlyEndFacts& facts, const EarlyEnd& end) {
-    SignalText out(resultsFile());
-    const std::string* results = facts.results.load();
-    if (results) out.add(results->data(), results->size());
+void addObject(SignalText& out, const EarlyEndFacts& facts, const EarlyEnd& end) {
+    const KeptText* results = facts.results.load();
+    if (results) addText(out, *results);
     else addMiddle(out, facts, end);
     if (end.kind != EarlyEndKind::Interrupted) {
         out.add(end.kind == EarlyEndKind::NotResponding ? ",\n  \"not_responding\": " : ",\n  \"crashed\": ");
@@ -123,24 +132,41 @@ void printJson(const EarlyEndFacts& facts, const EarlyEnd& end) {
     out.add("\n}\n");
 }
 
-} // namespace
-
-int exitCodeOf(const EarlyEndFacts& facts, const EarlyEnd& end) noexcept {
-    if (end.kind == EarlyEndKind::Interrupted) return kExitInterrupted;
-    if (end.kind == EarlyEndKind::NotResponding) return moduleCall(facts.calls) ? kExitController : kExitInterrupted;
-    const bool own = end.kind == EarlyEndKind::Crash && end.cause.onRunsThread && !moduleCall(facts.calls);
-    return own ? 128 + end.cause.signal : kExitController;
+void printJson(const EarlyEndFacts& facts, const EarlyEnd& end) {
+    Draft draft(resultsFile());
+    {
+        SignalText out(draft.file());
+        addObject(out, facts, end);
+    }
+    draft.publish();
 }
 
-void reportEarlyEnd(const EarlyEndFacts& facts, const EarlyEnd& end) noexcept {
+void printMessage(const EarlyEndFacts& facts, const EarlyEnd& end) {
+    Draft draft(messagesFile());
     {
-        SignalText out(messagesFile());
+        SignalText out(draft.file());
         out.add(facts.terminal ? "\r\033[K" : "").add("trundle-cli: ");
         MessageBuilder words(out, false);
         addText(words, facts, end);
         out.add("\n");
     }
+    draft.publish();
+}
+
+} // namespace
+
+int exitCodeOf(const EarlyEndFacts& facts, const EarlyEnd& end) noexcept {
+    if (end.kind == EarlyEndKind::Interrupted) return kExitInterrupted;
+    if (end.kind == EarlyEndKind::NotResponding) return moduleCall(facts.calls) ? kExitController : kExitInterrupted;
+    const bool own = end.kind == EarlyEndKind::Crash && end.cause.onRunsThread && !facts.hasModules && !moduleCall(facts.calls);
+    return own ? 128 + end.cause.signal : kExitController;
+}
+
+void reportEarlyEnd(EarlyEndFacts& facts, const EarlyEnd& end) noexcept {
+    if (!facts.reported) printMessage(facts, end);
+    facts.reported = true;
     if (facts.json) printJson(facts, end);
+    facts.json = false;
 }
 
 } // namespace trundle

@@ -3,9 +3,9 @@
 
 #include <atomic>
 #include <cstdint>
-#include <string>
 
 #include "crash/crash_text.h"
+#include "crash/kept_text.h"
 
 namespace trundle {
 
@@ -24,27 +24,30 @@ struct EarlyEnd {
 
 /// Poses of the robots, updated regularly during the run.
 struct EarlyPoses {
-    std::string members; ///< members of "robots", without braces
-    double timeS = 0;    ///< simulated time
+    KeptText members; ///< members of "robots", without braces
+    double timeS = 0; ///< simulated time
 };
 
-/// The data for a report, prepared before anything fails.
+/// The data for a report, prepared before anything fails. Only `calls` refers to the heap.
 struct EarlyEndFacts : CrashedRun {
     double startS = 0;             ///< on the monotonic clock
     bool terminal = false;         ///< standard error is a terminal: its last line may contain a progress bar
     std::atomic<bool> json{false}; ///< --json is set, and its object has not been printed
     /// Entries of "diagnostics" so far, without brackets.
-    std::atomic<const std::string*> diagnostics{nullptr};
+    std::atomic<const KeptText*> diagnostics{nullptr};
     /// At most about a second old; nullptr: none yet.
     std::atomic<const EarlyPoses*> poses{nullptr};
     /// Set after the last tick: the complete results, printed instead of the few available in the middle of a run.
-    std::atomic<const std::string*> results{nullptr};
+    std::atomic<const KeptText*> results{nullptr};
+    bool hasModules = false; ///< their code is part of this process
+    bool reported = false;   ///< the message is printed
 };
 
-/// Prints the message on standard error and, with --json, the object with "crashed" or "not_responding" on standard output.
-void reportEarlyEnd(const EarlyEndFacts& facts, const EarlyEnd& end) noexcept;
-/// kExitController if module code was the cause, kExitInterrupted if the run was interrupted without a fault, 128 plus the signal
-/// for a crash of the program itself.
+/// Prints the message on standard error and, with --json, the object with "crashed" or "not_responding" on standard output; each as a
+/// whole and once, also when it is called again.
+void reportEarlyEnd(EarlyEndFacts& facts, const EarlyEnd& end) noexcept;
+/// kExitController if module code was the cause or may have damaged memory, kExitInterrupted if the run was interrupted without a
+/// fault, 128 plus the signal for a crash of a program without modules.
 [[nodiscard]] int exitCodeOf(const EarlyEndFacts& facts, const EarlyEnd& end) noexcept;
 
 } // namespace trundle

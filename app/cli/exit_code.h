@@ -16,7 +16,7 @@ enum ExitCode : int {
 /// The exit code of a run that ended with this diagnostic code.
 [[nodiscard]] constexpr ExitCode exitCodeFor(Code code) {
     if (code == Code::BlowUp || code == Code::EngineFault) return kExitBlewUp;
-    if (code == Code::ControllerFailed || code == Code::UnknownPort) return kExitController;
+    if (code == Code::ControllerFailed || code == Code::UnknownPort || code == Code::DeviceSetup) return kExitController;
     if (code == Code::NoDuration) return kExitUsage;
     if (code == Code::Interrupted) return kExitInterrupted;
     return kExitText;

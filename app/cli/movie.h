@@ -19,8 +19,8 @@ struct MovieOptions {
 /// Records a movie of a run while it runs.
 class Movie {
 public:
-    /// Fails with a message for the user if ffmpeg is missing.
-    [[nodiscard]] static Result<std::unique_ptr<Movie>> open(MovieOptions movieOptions);
+    /// Fails with a message for the user if ffmpeg is missing, the file cannot be written, or there is no such view or camera.
+    [[nodiscard]] static Result<std::unique_ptr<Movie>> open(MovieOptions movieOptions, const ExperimentSpec& experiment);
 
     /// Writes the frames that are due. Call at the start and after each tick.
     [[nodiscard]] Status follow(Runner& runner);

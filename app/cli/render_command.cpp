@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -137,6 +138,14 @@ ExitCode renderFile(Application& application, const RenderArguments& arguments) 
     return drawAfterRun(application, loaded, arguments.at, job);
 }
 
+/// Checks the ending of the picture's name.
+std::string pictureProblem(const std::string& path) {
+    std::string ending = std::filesystem::path(path).extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    const bool good = ending == ".png" || ending == ".jpg" || ending == ".jpeg";
+    return good ? emptyProblem(path) : "a picture's name ends in .png, .jpg or .jpeg";
+}
+
 constexpr const char* kRenderExamples = R"(Examples:
   trundle-cli render configs/experiments/swarm.sim -o swarm.png
   trundle-cli render my.sim --at 2 --camera robot0/eye -o what_it_sees.png
@@ -171,7 +180,10 @@ void addRender(CLI::App& app, const ApplicationFactory& application, ChosenComma
     auto arguments = std::make_shared<RenderArguments>();
     RenderArguments& a = *arguments;
     command->add_option("FILE", a.file, "The experiment")->required()->type_name("");
-    command->add_option("-o,--output", a.output, "The picture: .png or .jpg")->required()->type_name("OUT")->check(&emptyProblem);
+    command->add_option("-o,--output", a.output, "The picture: .png or .jpg")
+        ->required()
+        ->type_name("OUT")
+        ->check(&pictureProblem);
     command->add_option("--at", a.at, "Run for that many simulated seconds first")
         ->type_name("S")
         ->check(CLI::Range(0.0, 1e9))

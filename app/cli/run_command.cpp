@@ -95,7 +95,11 @@ ExitCode RunCommand::go() {
         return printResults(kExitText);
     }
     if (!m_arguments.quiet) reportNothingPlaced();
-    if (!planTicks() || !openMovie()) return printResults(kExitUsage);
+    if (!planTicks()) return printResults(kExitUsage);
+    if (!openMovie()) {
+        const bool hasFfmpeg = m_report.diagnostics.back().code != Code::SystemRefused;
+        return printResults(hasFfmpeg ? kExitText : kExitUsage);
+    }
     if (!checkStart()) return printResults(exitCodeFor(m_report.diagnostics.back().code));
     return runLoaded();
 }
@@ -164,7 +168,7 @@ bool RunCommand::openMovie() {
         movieOptions.width = size->width;
         movieOptions.height = size->height;
     }
-    Result<std::unique_ptr<Movie>> movie = Movie::open(movieOptions);
+    Result<std::unique_ptr<Movie>> movie = Movie::open(movieOptions, *m_loaded->experiment);
     if (!movie) return movieProblem(movie.error());
     m_movie = std::move(movie).value();
     return true;
@@ -300,9 +304,7 @@ ExitCode RunCommand::runLoaded() {
         printDiagnostics({*failure}, m_report.sources);
         report(*failure);
     }
-    const bool ofDevice = failure && failure->code == Code::DeviceSetup; // in a call, after its setup
-    return printResults(ofDevice              ? kExitController
-                        : failure             ? exitCodeFor(failure->code)
+    return printResults(failure               ? exitCodeFor(failure->code)
                         : outcome.interrupted ? kExitInterrupted
                         : stopped             ? kExitController
                         : filmed              ? kExitDone

@@ -21,7 +21,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "base/platform/buffered_file.h"
 #include "base/platform/end_requests.h"
 #include "base/platform/output_cleaner.h"
 #include "cli/early_end.h"
@@ -29,6 +28,7 @@
 #include "cli/standard_streams.h"
 #include "crash/crash_site.h"
 #include "crash/exit_hook.h"
+#include "crash/last_steps.h"
 #include "crash/signal_text.h"
 #include "crash/thread_origin.h"
 #include "crash/uncaught_exception.h"
@@ -49,7 +49,7 @@ std::atomic<pid_t> s_process{0};
 long s_runsThread = 0;
 EarlyEndFacts s_facts;
 std::shared_ptr<CallMonitor> s_calls;
-std::string s_diagnostics, s_results;
+KeptText s_diagnostics, s_results;
 EarlyPoses s_poses[2]; // double buffer: one may be printed while the other is updated
 sem_t s_wake;
 std::atomic<bool> s_stop{false};
@@ -87,29 +87,59 @@ void dumpCore(int signal) {
     while (copy > 0 && waitpid(static_cast<pid_t>(copy), nullptr, 0) < 0 && errno == EINTR) {}
 }
 
-/// Async-signal-safe. Only the first caller reports; a crash during the report, or in another thread, adds nothing.
+/// The report is the last line.
+class GuardSteps final : public LastSteps {
+public:
+    EarlyEnd end;
+    int code = kExitController;
+
+    void report() override {
+        code = exitCodeOf(s_facts, end);
+        waitForOutputCleaner();
+        reportEarlyEnd(s_facts, end);
+    }
+    void reportWithoutHeap() override {
+        s_facts.calls = nullptr;
+        s_facts.simulates = false;
+        end.cause.threadOf = nullptr;
+        code = exitCodeOf(s_facts, end);
+        reportEarlyEnd(s_facts, end);
+    }
+    void reportLostLogs() override {
+        SignalText(messagesFile()).add("trundle-cli: logs may end early, their memory is damaged too\n");
+    }
+} s_last;
+
+/// Async-signal-safe. Only the first caller reports; a crash in another thread adds nothing.
 [[noreturn]] void endEarly(const EarlyEnd& end) {
     const long self = thisThread();
     long ending = 0;
-    if (!s_endingThread.compare_exchange_strong(ending, self)) {
-        if (ending == self) endProcess(kExitController);
-        for (;;) pause();
-    }
-    BufferedFile::writeOutAll();
-    waitForOutputCleaner(); // the report is the last line
-    reportEarlyEnd(s_facts, end);
-    const int code = exitCodeOf(s_facts, end);
-    if (end.kind == EarlyEndKind::Crash) {
+    if (s_endingThread.compare_exchange_strong(ending, self)) s_last.end = end;
+    else
+        while (ending != self) pause();
+    s_last.take();
+    if (s_last.end.kind == EarlyEndKind::Crash) {
         finishOutputCleaner();
-        if (code > 128) raiseDefault(end.cause.signal); // a crash of the program itself ends as without a handler
-        dumpCore(end.cause.signal);
+        if (s_last.code > 128) raiseDefault(s_last.end.cause.signal); // a crash of the program itself ends as without a handler
+        dumpCore(s_last.end.cause.signal);
     }
-    endProcess(code);
+    endProcess(s_last.code);
+}
+
+/// After a run, whose results are printed: only code of modules is known to damage memory.
+void endAfterRun(int signal) {
+    SignalText out(messagesFile());
+    out.add("trundle-cli: ended after its results by a damage of memory, which code of a module did most likely: ");
+    out.add(crashName(signal)).add("\n");
+    out.flush();
+    dumpCore(signal);
+    endProcess(kExitController);
 }
 
 bool isOurs() { return s_guarded && getpid() == s_process; }
 
 void onCrash(int signal, siginfo_t*, void* context) {
+    if (!s_guarded && s_facts.hasModules && getpid() == s_process) endAfterRun(signal);
     if (!isOurs()) return raiseDefault(signal);
     EarlyEnd end{EarlyEndKind::Crash, {signal, thisThread() == s_runsThread}};
     if (!end.cause.onRunsThread) end.cause.threadOf = libraryOfThread(*s_calls, context);
@@ -155,6 +185,7 @@ void unwatchOther(int signal) {
 
 void watchSignals() {
     forOtherEndSignals(watchOther);
+    watchOther(SIGQUIT);
     for (const int signal : kRequests)
         if (signal != SIGHUP || !s_ignoresHangup) setHandler(signal, onRequest, SA_RESTART);
     setHandler(SIGPIPE, onBrokenPipe, SA_RESTART);
@@ -168,8 +199,10 @@ void watchSignals() {
 
 void unwatchSignals() {
     forOtherEndSignals(unwatchOther);
+    unwatchOther(SIGQUIT);
     for (const int signal : kRequests)
         if (signal != SIGHUP || !s_ignoresHangup) setHandler(signal, SIG_DFL, 0);
+    if (s_facts.hasModules) return; // they may have damaged memory
     for (const int signal : kCrashSignals) {
         struct sigaction now = {};
         if (sigaction(signal, nullptr, &now) == 0 && (now.sa_flags & SA_SIGINFO) && now.sa_sigaction == &onCrash)
@@ -264,18 +297,19 @@ RunGuard::~RunGuard() {
 
 void RunGuard::setDiagnostics(std::string entries) {
     s_facts.diagnostics = nullptr;
-    s_diagnostics = std::move(entries);
+    s_diagnostics = KeptText(entries);
     s_facts.diagnostics = &s_diagnostics;
 }
 
 void RunGuard::setRobots(std::string members, double timeS) {
     EarlyPoses& next = s_facts.poses.load() == &s_poses[0] ? s_poses[1] : s_poses[0];
-    next = {std::move(members), timeS};
+    next.members = KeptText(members);
+    next.timeS = timeS;
     s_facts.poses = &next;
 }
 
 void RunGuard::setResults(std::string object) {
-    s_results = std::move(object);
+    s_results = KeptText(object);
     s_facts.results = &s_results;
     s_ticking = false;
 }
@@ -285,6 +319,7 @@ void RunGuard::endOnRequest() { s_waiting = false; }
 void RunGuard::resultsPrinted() { s_facts.json = false; }
 
 void RunGuard::restoreProcess() {
+    s_facts.hasModules = s_facts.hasModules || hasLoadedModules(*s_calls);
     restoreStandardStreams();
     unblockSignals();
 }

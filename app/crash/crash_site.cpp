@@ -1,5 +1,6 @@
 #include "crash/crash_site.h"
 
+#include <link.h>
 #include <sys/uio.h>
 #include <unistd.h>
 
@@ -46,6 +47,18 @@ const CallTarget* libraryOfThread(const CallMonitor& calls, const void* context)
 const CallTarget* libraryOfCaller(const CallMonitor& calls) noexcept {
     const CallTarget* library = libraryOnStack(calls, reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0)));
     return library ? library : libraryOfOrigin(calls);
+}
+
+bool hasLoadedModules(const CallMonitor& calls) noexcept {
+    const auto isModule = [](dl_phdr_info* library, std::size_t, void* monitor) {
+        for (int i = 0; i < library->dlpi_phnum; ++i) {
+            const ElfW(Phdr)& part = library->dlpi_phdr[i];
+            const bool isCode = part.p_type == PT_LOAD && (part.p_flags & PF_X);
+            if (isCode && static_cast<const CallMonitor*>(monitor)->libraryAt(library->dlpi_addr + part.p_vaddr)) return 1;
+        }
+        return 0;
+    };
+    return dl_iterate_phdr(isModule, const_cast<CallMonitor*>(&calls)) != 0;
 }
 
 } // namespace trundle

@@ -10,4 +10,7 @@ namespace trundle {
 /// The same for the code that is calling.
 [[nodiscard]] const CallTarget* libraryOfCaller(const CallMonitor& calls) noexcept;
 
+/// Whether the process has a library that the monitor knows. Not async-signal-safe.
+[[nodiscard]] bool hasLoadedModules(const CallMonitor& calls) noexcept;
+
 } // namespace trundle

@@ -10,12 +10,12 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-#include "base/platform/buffered_file.h"
 #include "base/platform/output_cleaner.h"
 #include "base/platform/recent_runs.h"
 #include "crash/crash_site.h"
 #include "crash/crash_text.h"
 #include "crash/exit_hook.h"
+#include "crash/last_steps.h"
 #include "crash/thread_origin.h"
 #include "crash/uncaught_exception.h"
 
@@ -66,19 +66,19 @@ void raiseDefault(int signal) {
     syscall(SYS_tgkill, getpid(), syscall(SYS_gettid), signal);
 }
 
-/// True for the one thread that may end the process. A crash during its report ends the process at once.
-void enter() {
+/// True for the first fault of the one thread that may end the process; it returns to no other thread.
+bool enter() {
     const long self = syscall(SYS_gettid);
     long ending = 0;
-    if (s_endingThread.compare_exchange_strong(ending, self)) return;
-    if (ending == self) endProcess(kExitOfModuleFault);
-    for (;;) pause();
+    if (s_endingThread.compare_exchange_strong(ending, self)) return true;
+    while (ending != self) pause();
+    return false;
 }
 
 /// Where a thread reports an exception that ends the program. It does not return while another one ends it.
 int messages() {
     const long ending = s_endingThread;
-    if (ending != 0 && ending != syscall(SYS_gettid)) enter();
+    if (ending != 0 && ending != syscall(SYS_gettid)) (void)enter();
     return STDERR_FILENO;
 }
 
@@ -91,43 +91,76 @@ void addCause(MessageBuilder& words, const Found& what) {
               << "; the fault is the program's own, or damage that code of a module did before";
 }
 
-void report(const Found& what) {
-    {
-        SignalText out(STDERR_FILENO);
-        MessageBuilder words(out, false);
-        words << s_program << ": ";
-        addCause(words, what);
-        words << "; " << s_advice;
-        out.add("\n");
-    }
-    const char* path = s_reportFile;
-    const int file = path ? open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0600) : -1;
-    if (file < 0) return;
-    SignalText out(file);
+void addMessage(int to, const Found& what) {
+    SignalText out(to);
+    MessageBuilder words(out, false);
+    words << s_program << ": ";
+    addCause(words, what);
+    words << "; " << s_advice;
+    out.add("\n");
+}
+
+void addReport(int to, const Found& what) {
+    SignalText out(to);
     MessageBuilder words(out, false);
     addCause(words, what);
     if (*uncaughtException()) words << "; uncaught exception: " << uncaughtException();
     out.add("\n");
 }
 
+class WatchSteps final : public LastSteps {
+public:
+    Found what;
+    bool ofModule = false;
+
+    void report() override {
+        ofModule = what.isOfModule();
+        Draft message(STDERR_FILENO);
+        addMessage(message.file(), what);
+        message.publish();
+        m_said = true;
+        writeFile();
+    }
+    void reportWithoutHeap() override {
+        what.run.calls = nullptr;
+        what.cause.threadOf = nullptr;
+        if (!m_said) addMessage(STDERR_FILENO, what);
+        writeFile();
+    }
+    void reportLostLogs() override {
+        SignalText(STDERR_FILENO).add(s_program).add(": logs may end early, their memory is damaged too\n");
+    }
+
+private:
+    void writeFile() const {
+        const char* path = s_reportFile;
+        const int file = path ? open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0600) : -1;
+        if (file < 0) return;
+        Draft report(file);
+        addReport(report.file(), what);
+        report.publish();
+    }
+
+    bool m_said = false;
+} s_last;
+
 void onCrash(int signal, siginfo_t*, void* context) {
     if (getpid() != s_process) return raiseDefault(signal);
-    enter();
-    const Found what = found(signal, [context](const CallMonitor& run) { return libraryOfThread(run, context); });
-    BufferedFile::writeOutAll();
-    report(what);
-    if (what.isOfModule()) endProcess(kExitOfModuleFault);
+    if (enter()) {
+        s_last.what = {{}, {signal, false}};
+        s_last.what = found(signal, [context](const CallMonitor& run) { return libraryOfThread(run, context); });
+    }
+    s_last.take();
+    if (s_last.ofModule) endProcess(kExitOfModuleFault);
     finishOutputCleaner();
-    raiseDefault(signal);
+    raiseDefault(s_last.what.cause.signal);
 }
 
 /// Ends immediately, since static destructors would destroy objects that other threads still use.
 void onExit() {
     if (getpid() != s_process) return;
-    enter();
-    const Found what = found(0, [](const CallMonitor& run) { return libraryOfCaller(run); });
-    BufferedFile::writeOutAll();
-    report(what);
+    if (enter()) s_last.what = found(0, [](const CallMonitor& run) { return libraryOfCaller(run); });
+    s_last.take();
     endProcess(kExitOfModuleFault);
 }
 

@@ -25,7 +25,7 @@ constexpr CodeEntry kCodes[] = {
     {Code::OutOfRange, "value out of range"},
     {Code::WrongCount, "wrong number of elements"},
     {Code::UnknownUnit, "unknown unit"},
-    {Code::WrongDimension, "wrong dimension of a unit"},
+    {Code::WrongDimension, "wrong dimension of a unit, or a unit of the last number alone"},
     {Code::UnknownChoice, "unknown choice"},
     {Code::UnknownReference, "unknown reference"},
     {Code::MissingRequired, "missing required property"},

@@ -73,9 +73,11 @@ fs::path sourcesOf(const fs::path& module, const std::vector<std::string>& place
 bool climbs(const fs::path& path) { return std::find(path.begin(), path.end(), "..") != path.end(); }
 
 Error notTrusted(const std::string& written, const fs::path& library) {
-    return {Code::ModuleNotTrusted,
-            "the module " + written + " is " + library.string() +
-                ", in a folder that is not trusted, so its code is not run; give --trust, or --modules with its folder"};
+    return {Code::ModuleNotTrusted, "the module " + written +
+                                        " is not run, its folder is not trusted; that is changed by Trust… in the window, or by "
+                                        "--trust, or --modules with the "
+                                        "folder, on a command line: " +
+                                        library.string()};
 }
 
 std::string joined(const std::vector<std::string>& paths) {

@@ -149,11 +149,14 @@ Result<std::vector<Kind>> kindsFromJson(const std::string& text, const std::stri
                                                   (isPython ? "correct the class in this file" : "build the module again")};
     };
     try { // the JSON library reports errors by exceptions
-        const Json j = Json::parse(text);
+        const Json j = Json::parse(text, nullptr, false);
+        if (j.is_discarded()) return fault("it is damaged");
         if (j.at("format").get<int>() != kFormat) return fault("it has another format");
         std::vector<Kind> kinds;
         for (const Json& kind : j.at("kinds")) kinds.push_back(kindFromJson(kind, library));
         return kinds;
+    } catch (const Json::exception&) {
+        return fault("it is damaged, or another program has written it");
     } catch (const std::exception& e) { return fault(e.what()); }
 }
 

@@ -1,5 +1,6 @@
 #include "remote/robot_link.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstring>
@@ -12,6 +13,7 @@ namespace trundle {
 namespace {
 
 constexpr std::chrono::milliseconds kWait(100); ///< until a cancellation is seen
+constexpr double kLastAnswer = 0.5;             ///< s, after a cancellation: a tick that is executed there is one here too
 constexpr std::size_t kReadSize = 64u << 10;
 constexpr std::uint64_t kMostPixels = 1u << 16; ///< along a side
 
@@ -211,7 +213,6 @@ Status RobotLink::receive() {
     const auto since = std::chrono::steady_clock::now();
     SocketWait wait{m_socket.descriptor(), true, false};
     waitForSockets(std::span(&wait, 1), kWait);
-    if (m_options.isCancelled && m_options.isCancelled()) return Error{Code::Interrupted, "interrupted"};
     std::array<char, kReadSize> bytes;
     const std::optional<std::size_t> got = m_socket.read(bytes);
     if (!got) {
@@ -220,6 +221,8 @@ Status RobotLink::receive() {
     }
     m_reader.add(std::span(bytes).first(*got));
     m_waited = *got > 0 ? 0 : m_waited + std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
+    const bool isCancelled = m_options.isCancelled && m_options.isCancelled();
+    if (isCancelled && m_waited >= std::min(kLastAnswer, m_options.seconds)) return Error{Code::Interrupted, "interrupted"};
     if (m_waited > m_options.seconds) {
         m_socket.close();
         return broken("no answer for " + std::to_string(static_cast<int>(m_options.seconds)) + " s");

@@ -31,7 +31,10 @@ Diagnostic faultDiagnostic(Severity severity, double time, const std::string& te
 }
 
 std::string slowText(const ControllerSpec& controller, double seconds, double budget) {
-    return "an update of the controller " + controller.name + " took " + numberText(std::round(1e4 * seconds) / 10) +
+    const double ms = 1e3 * seconds;
+    const double step =
+        ms < 1 ? std::pow(10, std::ceil(-std::log10(ms)) + 1) : 10; // a short time with as many digits as it needs
+    return "an update of the controller " + controller.name + " took " + numberText(std::round(step * ms) / step) +
            " ms; its Budget is " + numberText(1e3 * budget) + " ms";
 }
 

@@ -18,22 +18,6 @@ namespace {
 constexpr std::size_t kMaxControllerLogs = 1000;
 constexpr std::size_t kLongestReason = 1000; // bytes
 
-/// The number of a log that a controller opens; -1: refused, with a message.
-int openControllerLog(LogFolder& folder, std::vector<LogFile*>& logs, const std::string& fileName,
-                      const std::function<void(const std::string& text)>& refuse) {
-    if (logs.size() >= kMaxControllerLogs) {
-        refuse("no more than 1000 logs may be opened by controllers");
-        return -1;
-    }
-    const Result<LogFile*> file = folder.create(fileName);
-    if (!file) {
-        refuse(file.error().message);
-        return -1;
-    }
-    logs.push_back(file.value());
-    return static_cast<int>(logs.size() - 1);
-}
-
 RunOptions withMonitor(RunOptions options) {
     if (!options.calls) options.calls = std::make_shared<CallMonitor>();
     return options;
@@ -82,19 +66,51 @@ Status ExperimentRunner::fail(const Error& error, SourceRange range) {
 
 // ---- start ----
 
+ExperimentRunner::ControllerLog* ExperimentRunner::controllerLog(const std::string& fileName) {
+    const Result<std::string> clean = cleanLogName(fileName);
+    const auto found = std::ranges::find_if(m_controllerLogs,
+                                            [&](const ControllerLog& log) { return clean && log.file->name() == clean.value(); });
+    return found == m_controllerLogs.end() ? nullptr : &*found;
+}
+
+/// A file of the experiment or of a controller.
+Result<LogFile*> ExperimentRunner::createLog(const std::string& fileName) {
+    if (const ControllerLog* log = controllerLog(fileName))
+        return Error{Code::LogUnwritable,
+                     log->file->name() + " is already written by the controller " + log->controller + " of " + log->robot};
+    return m_folder.create(fileName);
+}
+
+/// The number of a log that a controller opens; -1: refused, with a message. One that is started again continues its own files.
+int ExperimentRunner::openControllerLog(ControllerLog asked, const std::string& fileName) {
+    ControllerLog* own = controllerLog(fileName);
+    if (own && own->robot == asked.robot && own->controller == asked.controller && own->start != asked.start) {
+        own->start = asked.start;
+        return static_cast<int>(own - m_controllerLogs.data());
+    }
+    Result<LogFile*> file = Error{Code::LogUnwritable, "no more than 1000 logs may be opened by controllers"};
+    if (m_controllerLogs.size() < kMaxControllerLogs) file = createLog(fileName);
+    if (!file) {
+        addMessage(asked.robot, TRUNDLE_ERROR, file.error().message);
+        return -1;
+    }
+    asked.file = file.value();
+    m_controllerLogs.push_back(std::move(asked));
+    return static_cast<int>(m_controllerLogs.size() - 1);
+}
+
+/// Called for each start of the controller.
 ControllerOutputs ExperimentRunner::outputsFor(const RobotSpec& robot, const ControllerSpec& controller) {
     ControllerOutputs outputs;
     outputs.finish = [this, &robot, &controller](const std::string& reason) {
         if (!m_finishAsked) m_finishAsked = RunFinish{robot.name, controller.name, reason.substr(0, kLongestReason), 0};
     };
     outputs.print = [this, name = robot.name](int severity, const std::string& text) { addMessage(name, severity, text); };
-    outputs.openLog = [this, name = robot.name](const std::string& fileName) {
-        return openControllerLog(m_folder, m_controllerLogs, fileName,
-                                 [&](const std::string& text) { addMessage(name, TRUNDLE_ERROR, text); });
-    };
+    const ControllerLog own{nullptr, robot.name, controller.name, ++m_starts};
+    outputs.openLog = [this, own](const std::string& fileName) { return openControllerLog(own, fileName); };
     outputs.writeLog = [this](int log, std::string_view bytes) {
         if (log >= 0 && static_cast<std::size_t>(log) < m_controllerLogs.size())
-            m_controllerLogs[static_cast<std::size_t>(log)]->write(bytes);
+            m_controllerLogs[static_cast<std::size_t>(log)].file->write(bytes);
     };
     m_pictures.addTo(outputs, robot.name);
     if (Medium* medium = m_world->medium()) outputs.radios = radiosOf(*medium);
@@ -111,7 +127,7 @@ void ExperimentRunner::openLogs(Diagnostics& diagnostics) {
     std::set<std::string> said; // report a folder that cannot be written once, not for each log
     for (auto& [spec, log] : made) {
         if (!log || m_options.logFolder.empty()) continue;
-        const Result<LogFile*> file = m_folder.create(logFileName(*spec));
+        const Result<LogFile*> file = createLog(logFileName(*spec));
         if (!file) {
             if (said.insert(file.error().message).second)
                 diagnostics.error(file.error().code, spec->nameRange, file.error().message);
@@ -170,8 +186,8 @@ Status ExperimentRunner::writeLogs() {
         }
         if (open.file->failure()) return fail(*open.file->failure(), open.range);
     }
-    for (LogFile* file : m_controllerLogs)
-        if (file->failure()) return fail(*file->failure(), {});
+    for (const ControllerLog& log : m_controllerLogs)
+        if (log.file->failure()) return fail(*log.file->failure(), {});
     return {};
 }
 

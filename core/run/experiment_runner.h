@@ -52,8 +52,18 @@ private:
         SourceRange range;
     };
 
+    /// A file of a controller.
+    struct ControllerLog {
+        LogFile* file;
+        std::string robot, controller;
+        std::uint64_t start; ///< of the controller, the latest that opened it
+    };
+
     const ExperimentSpec& experiment() const { return m_world->experiment(); }
     ControllerOutputs outputsFor(const RobotSpec& robot, const ControllerSpec& controller);
+    [[nodiscard]] ControllerLog* controllerLog(const std::string& fileName);
+    Result<LogFile*> createLog(const std::string& fileName);
+    int openControllerLog(ControllerLog asked, const std::string& fileName);
     void addMessage(const std::string& who, int severity, const std::string& text);
     /// A message of the run itself, which does not count as a line of the robot.
     void say(const std::string& who, int severity, const std::string& text) {
@@ -78,7 +88,8 @@ private:
     RunPictures m_pictures{*m_world, m_cameras, m_folder, m_warnings};
     ControllerSet m_controllers;
     std::vector<OpenLog> m_logs;
-    std::vector<LogFile*> m_controllerLogs; // index: the number returned to the controller
+    std::vector<ControllerLog> m_controllerLogs; // index: the number returned to the controller
+    std::uint64_t m_starts = 0;                  // of all controllers
     std::vector<Command> m_commands;
     std::size_t m_applied = 0; // number of commands already applied
     std::optional<Diagnostic> m_failure;

@@ -49,6 +49,7 @@ public:
             m_index = i;
             if (!readElement(m_given.elements[i], value)) return std::nullopt;
         }
+        warnOfLastUnit();
         return value;
     }
 
@@ -212,9 +213,7 @@ private:
         Reader trial(m_property, m_given, silent);
         const std::optional<double> number = trial.inPropertyUnit(positive);
         if (number && inRange(*number)) {
-            const bool blank = element.unitRange.known() && element.unitRange.range.begin > element.range.range.begin &&
-                               element.range.range.size() > numberText(element.number).size() + element.unit.size();
-            const std::string text = numberText(positive.number) + (blank ? " " : "") + element.unit;
+            const std::string text = numberText(positive.number) + unitBehind(element);
             d.fixes.push_back({text, {{element.range, text}}});
             d.suggestions = {text};
         }
@@ -251,6 +250,36 @@ private:
         if (element.literal) d.suggestions = fittingUnits();
         addSourceNote(d, element);
         return std::nullopt;
+    }
+
+    /// As it is written, with a blank before it or without.
+    static std::string unitBehind(const GivenElement& element) {
+        const bool blank = element.unitRange.known() && element.unitRange.range.begin > element.range.range.begin &&
+                           element.range.range.size() > numberText(element.number).size() + element.unit.size();
+        return (blank ? " " : "") + element.unit;
+    }
+
+    /// `30,20,10 cm` is often meant for all three.
+    void warnOfLastUnit() {
+        const std::vector<GivenElement>& all = m_given.elements;
+        if (all.size() < 2 || m_property.unit.empty() || all.back().unit.empty()) return;
+        const GivenElement& last = all.back();
+        const auto isPlain = [](const GivenElement& e) { return e.kind == ElementKind::Number && e.literal && e.unit.empty(); };
+        const bool isAlone = last.literal && last.unitRange.known() && std::all_of(all.begin(), all.end() - 1, isPlain);
+        if (!isAlone || convertUnit(1, last.unit, m_property.unit) == 1) return;
+        std::vector<std::string> others;
+        std::vector<TextEdit> edits;
+        for (const GivenElement& e : all) {
+            if (&e == &last || e.number == 0) continue;
+            others.push_back(numberText(e.number));
+            edits.push_back({{e.range.file, {e.range.range.end, e.range.range.end}}, unitBehind(last)});
+        }
+        if (others.empty()) return;
+        Diagnostic& d =
+            m_diagnostics.warning(Code::WrongDimension, last.unitRange,
+                                  last.unit + " counts for " + numberText(last.number) + " alone; " + listText(others, "and") +
+                                      (others.size() == 1 ? " is in " : " are in ") + m_property.unit);
+        d.fixes.push_back({"write " + last.unit + " behind each", std::move(edits)});
     }
 
     /// The number without a unit is the same amount in SI.

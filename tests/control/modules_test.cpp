@@ -181,6 +181,11 @@ private Q_SLOTS:
         const Kind walker{"Walker", "", Role::Controller, {}, false, {Property{"B"}, Property{"B"}}, {}, {}};
         const std::string twice = kindsToJson({walker});
         const std::string why = " cannot be used ('Walker' has two fields named B); ";
+        for (const char* damaged : {"{ \"format\": ", "[]", "{}", "\xff"}) {
+            const std::string said = kindsFromJson(damaged, "/p/libx.so").error().message;
+            QVERIFY2(said.starts_with("/p/libx.so.kinds.json cannot be used (it is damaged") && said.find("json.ex") == said.npos,
+                     said.c_str());
+        }
         QCOMPARE(kindsFromJson(twice, "/p/walk.py").error().message, "/p/walk.py" + why + "correct the class in this file");
         QCOMPARE(kindsFromJson(twice, "/p/libx.so").error().message, "/p/libx.so.kinds.json" + why + "build the module again");
     }

@@ -76,6 +76,7 @@ private Q_SLOTS:
     void initTestCase();
     void reportsEveryModuleFault_data();
     void reportsEveryModuleFault();
+    void aWriteThroughAllMemoryIsReported();
     void oneSignalEndsWhatLoops_data();
     void oneSignalEndsWhatLoops();
     void aLongStepOfTheSolverEndsWithWordsOfItsCluster();
@@ -161,7 +162,7 @@ void BadModulesTest::reportsEveryModuleFault_data() {
         row(name, action(name, "setup"), {}, 4, "a name without a terminating zero byte", "", 0);
     row("unended has", action("unended has", "setup"), {}, 0, {}, "", kRowsWhole);
     for (const char* name : {"unended signal", "filled signal"})
-        row((QByteArray("a device: ") + name).constData(), {}, action(name, "setup"), 1, "a name without a terminating zero byte",
+        row((QByteArray("a device: ") + name).constData(), {}, action(name, "setup"), 4, "a name without a terminating zero byte",
             "", 0);
     row("a device: unended field", {}, action("unended field", "setup"), 0, {}, "", kRowsWhole);
     row("fail badly", action("fail badly"), {}, 4, "E410", "", kRowsCut);
@@ -199,6 +200,8 @@ void BadModulesTest::reportsEveryModuleFault_data() {
     const QByteArray copy = "a copy of the program that code of a module made by fork() was ended";
     row("fork in a destructor", action("fork", "destructor"), {}, 0, copy, "", kRowsWhole);
     row("terminate itself", action("terminate itself"), {}, 130, {}, "", kRowsCut + 1);
+    row("crash after all", action("crash after all"), {}, 4, "ended after its results by a damage of memory", "", kRowsWhole);
+    row("quit", action("quit"), {}, 130, "the signal SIGQUIT ended the run", "", kRowsCut + 1);
     row("user signal", action("user signal"), {}, 130, "the signal SIGUSR1 ended the run", "", kRowsCut + 1);
     row("real-time signal", action("real-time signal"), {}, 130, "ended the run", "", kRowsCut + 1);
     // Without its descriptors the program cannot report; a file that has taken their numbers is not written to.
@@ -243,6 +246,17 @@ void BadModulesTest::reportsEveryModuleFault() {
     }
     if (code == 0) QCOMPARE(json["state_hash"].toString().toLatin1(), m_hash);
     else QVERIFY2(code == 130 || !json["diagnostics"].toArray().isEmpty() || rows == kRowsWhole, shown(run).left(4000));
+}
+
+/// Whatever it has overwritten, also what the report and the logs need.
+void BadModulesTest::aWriteThroughAllMemoryIsReported() {
+    for (const char* phase : {"setup", "update", "destructor"}) {
+        const Outcome run = runZoo(experiment(QByteArray("Action=overrun Phase=") + phase, {}));
+        QVERIFY2(run.code == 4 && run.err.contains("crashed"), shown(run).left(4000));
+        const QJsonObject json = QJsonDocument::fromJson(run.out).object();
+        for (const QString& key : m_keys) QVERIFY2(json.contains(key), shown(run).left(4000));
+        QCOMPARE(json["crashed"].toObject()["reason"].toString(), QStringLiteral("Segmentation fault"));
+    }
 }
 
 void BadModulesTest::oneSignalEndsWhatLoops_data() {

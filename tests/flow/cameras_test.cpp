@@ -227,6 +227,25 @@ private Q_SLOTS:
         QVERIFY(!QFile::exists(folder.filePath("blob_follow.csv")));
     }
 
+    /// Before the run replaces its logs.
+    void aMovieThatCannotBeMadeLeavesTheLastLogs() {
+        QTemporaryDir folder;
+        const QString logs = folder.filePath("logs");
+        QVERIFY(cli({"run", kExperiment, "--duration", "0.1", "--log-dir", logs}).code == 0);
+        const QStringList before = QDir(logs).entryList(QDir::Files);
+        const QByteArray log = contentOf(logs + "/" + before.value(0));
+        QVERIFY(!log.isEmpty());
+        const auto refused = [&](const QStringList& movie, const QByteArray& why) {
+            const Outcome run = cli(QStringList{"run", kExperiment, "--duration", "0", "--log-dir", logs} + movie);
+            QVERIFY2(run.code == 1 && run.err.contains(why), shown(run));
+            QVERIFY(QDir(logs).entryList(QDir::Files) == before && contentOf(logs + "/" + before[0]) == log);
+        };
+        const QString movie = folder.filePath("a.mp4");
+        refused({"--movie", movie, "--view", "nope"}, "there is no view nope; there is ");
+        refused({"--movie", movie, "--camera", "nope"}, "there is no camera nope; there is ");
+        refused({"--movie", folder.filePath("none/a.mp4")}, "cannot be made");
+    }
+
     /// An encoder that reads some input and then fails.
     void aMovieThatFailsLeavesTheOldOne() {
         QTemporaryDir folder;

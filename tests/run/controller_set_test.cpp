@@ -13,6 +13,8 @@ struct Script {
     std::map<std::string, double> values; ///< of the controller that was started last
     std::set<std::string> refused;        ///< properties
     int starts = 0, updates = 0;
+    std::optional<double> updateS;  ///< how long it says that an update takes
+    std::vector<std::string> opens; ///< logs that it opens in its setup
     bool breaks = false; ///< once, by a fault of another controller of its process
 };
 
@@ -20,8 +22,10 @@ struct Script {
 class LiveBackend final : public ControllerBackend {
 public:
     explicit LiveBackend(Script& script) : m_script(script) {}
-    Status start(const SignalLayout&, SignalBlock&, ControllerOutputs) override {
+    Status start(const SignalLayout&, SignalBlock&, ControllerOutputs outputs) override {
         ++m_script.starts;
+        for (const std::string& name : m_script.opens)
+            outputs.writeLog(outputs.openLog(name), "start " + std::to_string(m_script.starts) + "\n");
         m_script.values.clear();
         m_fault.reset();
         return {};
@@ -41,6 +45,7 @@ public:
     void stop() override {}
     Status renew(std::uint64_t) override { return {}; }
     const ControllerFault* fault() const override { return m_fault ? &*m_fault : nullptr; }
+    std::optional<double> updateS() const override { return m_script.updateS; }
     std::string describe() const override { return "live"; }
 
 private:
@@ -62,6 +67,7 @@ ControllerSpec controller(const char* name) { return {{"Live", name, {{"UpdatePe
 class ControllerSetTest : public QObject {
     Q_OBJECT
 
+    QTemporaryDir m_folder;
     Script m_script;
     std::vector<std::string> m_console;
     std::unique_ptr<ExperimentRunner> m_runner;
@@ -97,6 +103,7 @@ private Q_SLOTS:
         experiment->robots[0].controllers = {controller("brain")};
         RunOptions options;
         options.console = [this](double, const std::string&, int, const std::string& text) { m_console.push_back(text); };
+        options.logFolder = LogLocation(m_folder.filePath("logs").toStdString());
         m_runner = std::make_unique<ExperimentRunner>(std::make_unique<FakeWorld>(experiment), std::move(options));
         Diagnostics diagnostics;
         m_runner->startControllers(
@@ -126,6 +133,47 @@ private Q_SLOTS:
         command(RestartCommand{"robot0", "brain"});
         QVERIFY(m_script.starts == 6 && !m_script.values.contains("Gain"));
         QCOMPARE(refusals(), std::size_t(0));
+    }
+
+    /// Also without a fault of its own. A file belongs to one controller, which opens it once in each start.
+    void aControllerThatIsStartedAgainContinuesItsLog() {
+        m_script.opens = {"own.csv"};
+        command(RestartCommand{"robot0", "brain"});
+        m_script.breaks = true;
+        QVERIFY(m_runner->tick().ok());
+        QCOMPARE(
+            std::ranges::count_if(m_console, [](const std::string& text) { return text.find("own.csv") != std::string::npos; }),
+            0);
+        m_script.opens = {"./own.csv", "own.csv"};
+        command(ReloadCommand{});
+        const std::string refused = "own.csv is already written by the controller brain of robot0";
+        QCOMPARE(std::ranges::count(m_console, refused), 1);
+        command(SwapCommand{"robot1", "", controller("brain"), "live.so"});
+        QCOMPARE(std::ranges::count(m_console, refused), 3);
+        QVERIFY(m_runner->finish().ok());
+        QFile log(m_folder.filePath("logs/own.csv"));
+        QVERIFY(log.open(QIODevice::ReadOnly));
+        QCOMPARE(log.readAll(), QByteArray("start 2\nstart 3\nstart 4\n"));
+    }
+
+    void aShortTimeIsShownWithItsDigits() {
+        ControllerSpec slow = controller("brain");
+        slow.values["Budget"] = numberValue(1e-6);
+        m_script.updateS = 2.345e-6;
+        command(SwapCommand{"robot0", "brain", slow, "live.so"});
+        QCOMPARE(m_console.back(), std::string("an update of the controller brain took 0.0023 ms; its Budget is 0.001 ms"));
+    }
+
+    /// The message says whose the file is.
+    void aLogOfTheExperimentMayNotBeOneOfAController() {
+        m_script.opens = {"path.csv"};
+        command(RestartCommand{"robot0", "brain"});
+        Diagnostics diagnostics;
+        auto& spec = const_cast<ExperimentSpec&>(m_runner->world().experiment());
+        spec.logs = {{"PoseLog", "path", {{"Interval", numberValue(0)}}, {}, {}}};
+        m_runner->openLogs(diagnostics);
+        QCOMPARE(diagnostics.errorCount(), std::size_t(1));
+        QCOMPARE(diagnostics.all().front().message, std::string("path.csv is already written by the controller brain of robot0"));
     }
 
     void aValueThatStoppedAControllerCanBeCorrected() {

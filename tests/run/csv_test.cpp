@@ -1,4 +1,6 @@
 // CSV output of logs.
+#include <cmath>
+
 #include <QtTest>
 
 #include "run/logs/csv.h"
@@ -17,8 +19,8 @@ private Q_SLOTS:
     }
     void numbersAreTheShortestThatReadBack() {
         std::string csv;
-        CsvWriter(csv).cell(0.1).cell(12.0).cell(-0.0).cell(1.0 / 3).cell(1e-7).endRow();
-        QCOMPARE(csv, std::string("0.1,12,0,0.3333333333333333,1e-07\n"));
+        CsvWriter(csv).cell(0.1).cell(12.0).cell(-0.0).cell(1.0 / 3).cell(1e-7).cell(-std::nan("")).endRow();
+        QCOMPARE(csv, std::string("0.1,12,0,0.3333333333333333,1e-07,nan\n"));
     }
 };
 

@@ -61,6 +61,15 @@ private Q_SLOTS:
         (void)makeLog(logSpec("PoseLog", "path", {{"Robot", textValue({"robbot0"})}}), world, diagnostics);
         QCOMPARE(diagnostics.all()[0].suggestions.at(0), std::string("robot0"));
     }
+    /// It is reported at the robot.
+    void aRobotWhoseNameIsBrokenIsNotReportedTwice() {
+        for (const char* broken : {"my rover", "2rover"}) {
+            Diagnostics diagnostics;
+            (void)chooseRobots(logSpec("PoseLog", "path", {{"Robot", textValue({"rover"})}}), experimentOf({broken})->robots,
+                               diagnostics);
+            QVERIFY(diagnostics.all().empty());
+        }
+    }
     void aMemberThatThereIsNot() {
         const std::vector<RobotSpec> robots = experimentOf({"cart_0", "cart_1", "row_0.cart", "row_1.cart"})->robots;
         Diagnostics diagnostics;

@@ -110,6 +110,10 @@ void ResolveContext::unknownReference(const std::string& property, const std::st
         if (unknown.last) ++diagnostics.at(unknown.last - 1).followUps;
         return;
     }
+    const auto lacksName = [&](const Diagnostic& each) {
+        return each.code == Code::MissingName && each.range.file == range.file;
+    };
+    if (candidates.empty() && std::ranges::any_of(diagnostics.all(), lacksName)) return; // it is that one
     const std::size_t at = diagnostics.all().size();
     Diagnostic& d =
         diagnostics.error(Code::UnknownReference, range, property + " names " + name + ", but there is no such " + what);

@@ -132,6 +132,12 @@ void ResolveContext::fill(Record& record, const AssignmentList& assignments, con
 /// A required property: by itself, or as what a key that is unknown was meant to be.
 void ResolveContext::reportMissing(const Part& part, const Property& property, UnknownKeys& unknown) {
     if (std::count(unknown.meant.begin(), unknown.meant.end(), property.name)) return;
+    const auto isMisplacedInIt = [&](const Diagnostic& d) {
+        return d.code == Code::WrongPlace && d.range.file == part.range.file && d.range.range.begin > part.range.range.begin &&
+               d.range.range.end <= part.range.range.end;
+    };
+    // A Static with geoms is meant as a StaticConfig.
+    if (property.name == "Config" && std::ranges::any_of(diagnostics.all(), isMisplacedInIt)) return;
     if (!unknown.stranger) {
         diagnostics.error(Code::MissingRequired, part.nameRange(),
                           part.title() + " needs " + property.name + inBrackets(property.help));

@@ -1,6 +1,8 @@
 #include "project/loading/search.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -112,7 +114,7 @@ Result<std::string> FileSearch::find(std::string written, const std::string& fol
     const auto& [folders, shown] = roots(folder);
     std::vector<std::string> names{written};
     for (const std::string& ending : endings) names.push_back(written + "." + ending);
-    bool outside = false, unplain = false, loop = false;
+    bool outside = false, unplain = false, loop = false, denied = false;
     std::string directory;
     for (const std::string& root : folders) {
         for (const std::string& name : names) {
@@ -122,6 +124,7 @@ Result<std::string> FileSearch::find(std::string written, const std::string& fol
                 m_names.mayExist(path) ? fs::status(path, ec) : fs::file_status(fs::file_type::not_found);
             if (!fs::exists(status)) m_names.addMissing(path);
             loop = loop || isLoop(ec);
+            denied = denied || ec == std::errc::permission_denied;
             std::string real;
             if (fs::is_regular_file(status)) {
                 real = fs::canonical(path, ec).string();
@@ -139,6 +142,7 @@ Result<std::string> FileSearch::find(std::string written, const std::string& fol
     if (outside) return Error{Code::ImportOutside, written + " lies outside the project and the folders that are searched"};
     if (unplain) return Error{Code::FileUnreadable, written + " is not a plain file"};
     if (loop) return Error{Code::FileUnreadable, written + " is a link that leads back to itself"};
+    if (denied) return Error{Code::FileUnreadable, written + " cannot be read: its folder may not be entered"};
     const std::string why = directory.empty() ? "" : ": " + cleanLine(directory) + " is a folder";
     return Error{Code::ImportNotFound, written + " is not found" + why + "; looked in " + shown};
 }
@@ -174,13 +178,15 @@ Result<std::string> readFile(const std::string& path, std::size_t most, const st
     std::error_code ec;
     const fs::file_status status = fs::status(path, ec);
     if (isLoop(ec)) return Error{Code::FileUnreadable, name + " is a link that leads back to itself"};
+    if (ec == std::errc::permission_denied)
+        return Error{Code::FileUnreadable, name + " cannot be read: its folder may not be entered"};
     if (!fs::exists(status)) return Error{Code::FileUnreadable, name + " does not exist"};
     if (fs::is_directory(status)) return Error{Code::FileUnreadable, name + " is a folder"};
     if (!fs::is_regular_file(status)) return Error{Code::FileUnreadable, name + " is not a plain file"};
     const std::uintmax_t size = fs::file_size(path, ec);
     if (!ec && size > most) return Error{Code::TooLarge, name + " is too large: an experiment may hold 64 MiB of text"};
     std::ifstream file(path, std::ios::binary);
-    if (!file) return Error{Code::FileUnreadable, name + " cannot be opened"};
+    if (!file) return Error{Code::FileUnreadable, name + " cannot be opened: " + std::strerror(errno)};
     std::string bytes;
     if (!ec) bytes.reserve(static_cast<std::size_t>(size));
     char buffer[65536];

@@ -1,6 +1,8 @@
 #include "run/logs/csv.h"
 
 #include <charconv>
+#include <cmath>
+#include <limits>
 
 namespace trundle {
 
@@ -27,6 +29,7 @@ CsvWriter& CsvWriter::cell(std::string_view text) {
 CsvWriter& CsvWriter::cell(double number) {
     separate();
     if (number == 0) number = 0; // write -0 as 0
+    if (std::isnan(number)) number = std::numeric_limits<double>::quiet_NaN(); // and -nan as nan
     char digits[64];
     m_out.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
     return *this;

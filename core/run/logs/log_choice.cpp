@@ -40,6 +40,11 @@ void unknownName(const ComponentSpec& spec, const char* key, std::size_t k, cons
     d.suggestions = advice.suggestions;
 }
 
+/// A name of two words or that begins with a digit, which is reported where it is given.
+bool hasBrokenName(const RobotSpec& robot) {
+    return robot.name.find(' ') != std::string::npos || (robot.name[0] >= '0' && robot.name[0] <= '9');
+}
+
 Advice adviceForRobot(const std::string& written, const std::vector<RobotSpec>& robots) {
     if (const std::optional<MissingMember> missing = missingMember(robots, written))
         return {missing->all + " has no member " + missing->name + ", the last one is " + missing->last, {missing->inLast}};
@@ -116,7 +121,8 @@ std::vector<std::size_t> chooseRobots(const ComponentSpec& spec, const std::vect
         if (found) chosen[static_cast<std::size_t>(own - robots.begin())] = true;
         for (std::size_t i = 0; i < robots.size() && own == robots.end(); ++i)
             if (matchesWildcard(name, robots[i].name) || isNamedBy(robots[i].name, name, isRobot)) chosen[i] = found = true;
-        if (!found) unknownName(spec, "Robot", k, "robot", adviceForRobot(name, robots), diagnostics);
+        if (!found && std::ranges::none_of(robots, hasBrokenName))
+            unknownName(spec, "Robot", k, "robot", adviceForRobot(name, robots), diagnostics);
     }
     std::vector<std::size_t> indices;
     for (std::size_t i = 0; i < robots.size(); ++i)

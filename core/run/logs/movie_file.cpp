@@ -43,8 +43,13 @@ void MovieFile::removePart() {
 Result<std::unique_ptr<MovieFile>> MovieFile::open(std::string path, double framesPerSecond) {
     std::error_code none;
     if (std::filesystem::is_directory(path, none)) return failedMovie(path, "it is a folder");
-    if (!isInstalled("ffmpeg")) return failedMovie(path, "the program ffmpeg is not installed (sudo apt-get install ffmpeg)");
-    return std::unique_ptr<MovieFile>(new MovieFile(std::move(path), framesPerSecond));
+    if (!isInstalled("ffmpeg")) {
+        const Error failed = failedMovie(path, "the program ffmpeg is not installed (sudo apt-get install ffmpeg)");
+        return Error{Code::SystemRefused, failed.message};
+    }
+    std::unique_ptr<MovieFile> movie(new MovieFile(std::move(path), framesPerSecond));
+    if (Status made = movie->createTemporaryFile(); !made) return made.error();
+    return movie;
 }
 
 Status MovieFile::createTemporaryFile() {
@@ -61,7 +66,6 @@ Status MovieFile::createTemporaryFile() {
 }
 
 Status MovieFile::start(std::uint32_t width, std::uint32_t height) {
-    if (Status made = createTemporaryFile(); !made) return made;
     // Pads to even sizes, which the common formats need. The "file:" prefix keeps names from being read as options.
     std::vector<std::string> words{"-nostdin",  "-hide_banner",
                                    "-loglevel", "error",

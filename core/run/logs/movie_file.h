@@ -18,7 +18,7 @@ class PipedProcess;
 /// the folder are not followed, and replaces an existing file only when it is complete.
 class MovieFile {
 public:
-    /// `path`: .mp4 or .webm. Fails with a message for the user if ffmpeg is not installed.
+    /// `path`: .mp4 or .webm. Fails with a message for the user if ffmpeg is not installed or the file cannot be written.
     [[nodiscard]] static Result<std::unique_ptr<MovieFile>> open(std::string path, double framesPerSecond);
     /// Without finish(), removes the temporary file.
     ~MovieFile();

@@ -98,7 +98,6 @@ const char* filled() {
 }
 
 const char* nowhere() { return reinterpret_cast<const char*>(0x10); }
-
 /// Control sequences and bytes that are not UTF-8, past print(); a character in two parts.
 void printEscapes() {
     std::printf("printf \x1b]0;mine\x07 \xff\xfe end\n");
@@ -133,9 +132,7 @@ void allocateMuch() {
 }
 
 struct NoException {};
-
 using Action = std::function<void()>;
-
 void act(const std::string& name);
 
 /// Waits for the end of the thread, so the run is in the middle of the call.
@@ -166,6 +163,10 @@ const std::map<std::string, Action>& actions() {
         {"bus", busError},
         {"abort", [] { std::abort(); }},
         {"overflow", [] { g_zero = deeper(1); }},
+        {"overrun",
+         [] {
+             for (volatile double* all = new double[10];; ++all) *all = 0.5;
+         }},
         {"double free",
          [] {
              auto* p = static_cast<char*>(std::malloc(5000));
@@ -297,11 +298,10 @@ const std::map<std::string, Action>& actions() {
              loop();
          }},
         {"crash at exit", [] { std::atexit([] { act("segv"); }); }},
+        {"crash after all", [] { on_exit([](int, void*) { act("segv"); }, nullptr); }},
+        {"quit", [] { kill(getpid(), SIGQUIT); }},
         {"change folder", [] { (void)!chdir("/"); }},
-        {"set locale",
-         [] {
-             for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "C.UTF-8"}) if (std::setlocale(LC_ALL, name)) return;
-         }},
+        {"set locale", [] { (void)(std::setlocale(LC_ALL, "de_DE.UTF-8") || std::setlocale(LC_ALL, "C.UTF-8")); }},
         {"umask", [] { umask(0077); }},
         {"fork", [] { (void)!fork(); }},
         {"fork without leave", [] { limited(RLIMIT_NPROC, 0, [] { (void)!fork(); }); }},

@@ -52,7 +52,7 @@ class There(trundle.Controller):
             self.base.drive(0.3, 0.0, 0.4, 0.0)
         elif self.base.done():
             print(f"at {self.base.odometry().x:.3f}")
-            self.finish("is there")
+            self.finish("is\\nthere")
 '''
 
 EVER = '''

@@ -163,6 +163,8 @@ class SimulationTest(unittest.TestCase):
             base.move(float("nan"), 0)
             with self.assertRaisesRegex(ValueError, "rover/base/linearVelocity was given a value that is no finite number"):
                 sim.step()
+            with self.assertRaisesRegex(ValueError, "position was given a value that is no finite number"):
+                sim.place("rover", (0, float("nan"), 0))
             sim.step()
             base.drive(0.2, 0, 1, 0)
             self.assertFalse(base.done())

@@ -199,6 +199,9 @@ class PortsTest(unittest.TestCase):
         self.assertEqual(self.commands[17:20].tolist(), [2, 1, 5])
         with self.assertRaises(ValueError):
             sample.goal = (1, 2, 3)
+        for name, value in (("turns", 10 ** 400), ("goal", (1, 10 ** 400))):
+            with self.assertRaisesRegex(ValueError, f"the output {name}: a signal takes no number as large as this"):
+                setattr(sample, name, value)
 
 
 class DriveAmountsTest(unittest.TestCase):

@@ -140,14 +140,14 @@ class output:
         slot = instance._outputs.get(self.name)
         if slot is None:
             return
-        if self.count == 1:
-            slot.set(value)
-            return
-        values = tuple(value)
+        values = (value,) if self.count == 1 else tuple(value)
         if len(values) != self.count:
             raise ValueError(f"the output {self.name} has {self.count} numbers, not {len(values)}")
-        for i, v in enumerate(values):
-            slot[i] = v
+        try:
+            for i, v in enumerate(values):
+                slot[i] = v
+        except (TypeError, ValueError) as wrong:
+            raise type(wrong)(f"the output {self.name}: {wrong}") from None
 
     def to_json(self):
         return {"name": self.name, "unit": self.unit, "help": self.help, "type": _SIGNAL_TYPES[self.type], "count": self.count,

@@ -61,6 +61,18 @@ def _plain(value):
     raise TypeError(f"{value!r} cannot be sent")
 
 
+def _json(message):
+    try:
+        return json.dumps(message, allow_nan=False, separators=(",", ":"), default=_plain)
+    except ValueError:
+        for name, value in message.items():  # which one it is
+            try:
+                json.dumps(value, allow_nan=False, default=_plain)
+            except ValueError:
+                raise ValueError(f"{name} was given a value that is no finite number") from None
+        raise
+
+
 class _Frames:
     """JSON objects and bytes over a stream socket: both sizes as 4 bytes each, little-endian, then both."""
 
@@ -73,7 +85,7 @@ class _Frames:
 
     def send(self, message, data=b""):
         self._check_open()
-        text = json.dumps(message, allow_nan=False, separators=(",", ":"), default=_plain).encode()
+        text = _json(message).encode()
         self._socket.sendall(struct.pack("<II", len(text), len(data)) + text + data)
 
     def receive(self):

@@ -30,13 +30,17 @@ class Slot:
         if not self.writable or not 0 <= element < self.count:
             return
         try:
-            if self.whole and value % 1 != 0:
-                raise ValueError(f"an output of type int takes whole numbers, not {value!r}")
-            self._view[self._first + element] = value
+            is_broken = self.whole and value % 1 != 0
+            if not is_broken:
+                self._view[self._first + element] = value
         except TypeError:
             if isinstance(value, (int, float)):
                 raise
             raise TypeError(f"a signal takes a number, not {value!r}") from None
+        except (ValueError, OverflowError):
+            raise ValueError("a signal takes no number as large as this") from None
+        if is_broken:
+            raise ValueError(f"an output of type int takes whole numbers, not {value!r}")
 
     def values(self):
         """All of them, as a read-only memoryview of doubles in the image: they change with the next tick."""
