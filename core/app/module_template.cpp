@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <map>
 #include <string_view>
 
 #include "base/clean_text.h"
@@ -41,17 +42,29 @@ constexpr const char* kNameRule = "a capital letter and then letters, digits and
 
 struct Template {
     const char *folder, *kind, *module;
+    const char* plain = nullptr; ///< folder of the files that differ for a robot without a drive
 };
 
 Template templateOf(ModuleTemplate what) {
     switch (what) {
-    case ModuleTemplate::Controller: return {"controller", "MyController", "my_controller"};
-    case ModuleTemplate::PythonController: return {"python", "MyController", "my_controller"};
+    case ModuleTemplate::Controller: return {"controller", "MyController", "my_controller", "plain_controller"};
+    case ModuleTemplate::PythonController: return {"python", "MyController", "my_controller", "plain_python"};
     case ModuleTemplate::PythonComponent: return {"python_component", "MySensor", "my_sensor"};
     case ModuleTemplate::Component: break;
     }
     return {"component", "MySensor", "my_sensor"};
 }
+
+/// The call that gets a drive, in C++ and in Python.
+struct DrivePort {
+    const char *kind, *cpp, *python;
+};
+constexpr DrivePort kDrivePorts[] = {{"DifferentialDrive", "differentialDrive", "differential_drive"},
+                                     {"SkidDrive", "skidDrive", "skid_drive"},
+                                     {"TrackDrive", "trackDrive", "track_drive"},
+                                     {"OmniDrive", "omniDrive", "omni_drive"},
+                                     {"MecanumDrive", "mecanumDrive", "mecanum_drive"},
+                                     {"AckermannDrive", "ackermannDrive", "ackermann_drive"}};
 
 bool isCapital(char c) { return c >= 'A' && c <= 'Z'; }
 
@@ -62,6 +75,35 @@ bool isKindName(const std::string& name) {
 void replaceAll(std::string& text, const std::string& from, const std::string& to) {
     for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
         text.replace(at, from.size(), to);
+}
+
+/// The circle of the template, for the drive of another robot: a steered one has an angle for its curves, one that moves in all
+/// directions a second speed.
+std::string forRobot(std::string text, const CommandedRobot& robot) {
+    std::vector<std::pair<std::string, std::string>> words;
+    if (robot.driveKind == "OmniDrive" || robot.driveKind == "MecanumDrive")
+        words = {{"move(speed, turn", "move(speed, 0, turn"}, {"move(self.speed, self", "move(self.speed, 0.0, self"}};
+    if (robot.driveKind == "AckermannDrive")
+        words = {{"turnRate = 0.5", "steering = 20 * std::numbers::pi / 180"},
+                 {"#include <trundle", "#include <numbers>\n\n#include <trundle"},
+                 {"\"TurnRate\", 0.5", "\"Steering\", 20 * math.pi / 180"},
+                 {"import trundle\n", "import math\n\nimport trundle\n"},
+                 {"radiansPerSecond().within(-5, 5)", "degrees().within(-60, 60)"},
+                 {"radians_per_second().within(-5, 5)", "degrees().within(-60, 60)"},
+                 {"import field, metres_per_second, radians_per_second", "import degrees, field, metres_per_second"},
+                 {"Positive turns left.", "Positive steers left."},
+                 {"TurnRate", "Steering"},
+                 {"turnRate", "steering"},
+                 {"turn_rate", "steering"}};
+    if (const auto* port = std::ranges::find(kDrivePorts, robot.driveKind, &DrivePort::kind); port != std::end(kDrivePorts)) {
+        const std::string name = "(\"" + robot.drive + "\")";
+        words.insert(words.end(), {{"DifferentialDrivePort", robot.driveKind + "Port"},
+                                   {"differentialDrive(\"base\")", port->cpp + name},
+                                   {"differential_drive(\"base\")", port->python + name}});
+    }
+    words.emplace_back("Config=SimpleRobot", "Config=" + robot.config);
+    for (const auto& [from, to] : words) replaceAll(text, from, to);
+    return text;
 }
 
 /// For a POSIX shell.
@@ -75,6 +117,24 @@ std::string quoted(const std::string& path) {
 
 Error failure(const std::string& path, const std::string& why) {
     return Error{Code::FileUnreadable, cleanLine(path) + " cannot be made: " + cleanLine(why)};
+}
+
+/// The files of a template, by name.
+Result<std::map<std::string, std::string>> templateFiles(const Template& from, const CommandedRobot& robot,
+                                                         const Locations& locations) {
+    std::map<std::string, std::string> files;
+    const bool isPlain = from.plain && robot.driveKind.empty();
+    for (const char* const folder : {from.folder, isPlain ? from.plain : from.folder}) { // the later ones replace
+        const fs::path source = fs::path(locations.templates) / folder;
+        std::error_code ec;
+        for (fs::directory_iterator it(source, ec), end; !ec && it != end; it.increment(ec)) {
+            Result<std::string> text = readRegularFile(it->path().string());
+            if (!text) return text.error();
+            files.insert_or_assign(it->path().filename().string(), std::move(text).value());
+        }
+        if (ec || files.empty()) return Error{Code::FileUnreadable, "the templates are not found in " + source.string()};
+    }
+    return files;
 }
 
 } // namespace
@@ -109,6 +169,13 @@ std::string configNameFault(const std::string& what, const std::string& name, co
     return {};
 }
 
+CommandedRobot commandedRobot(const RobotConfigSpec& config) {
+    for (const ComponentSpec& device : config.devices)
+        if (std::ranges::find(kDrivePorts, device.kind, &DrivePort::kind) != std::end(kDrivePorts))
+            return {config.name, device.kind, device.name};
+    return {config.name, {}, {}};
+}
+
 std::string moduleNameFor(const std::string& kind) {
     std::string name;
     for (std::size_t i = 0; i < kind.size(); ++i) {
@@ -120,26 +187,24 @@ std::string moduleNameFor(const std::string& kind) {
     return name;
 }
 
-Result<NewModule> makeModule(ModuleTemplate what, const std::string& kind, const std::string& parent,
-                             const Locations& locations) {
+Result<NewModule> makeModule(ModuleTemplate what, const std::string& kind, const std::string& parent, const Locations& locations,
+                             const CommandedRobot& robot) {
     if (const std::string fault = kindNameFault(what, kind); !fault.empty()) return Error{Code::FileUnreadable, fault};
     const Template from = templateOf(what);
     const std::string module = moduleNameFor(kind);
-    const fs::path source = fs::path(locations.templates) / from.folder, folder = fs::path(parent) / module;
+    const fs::path folder = fs::path(parent) / module;
     std::error_code ec;
-    std::vector<std::pair<std::string, std::string>> files; // name, text
-    for (fs::directory_iterator it(source, ec), end; !ec && it != end; it.increment(ec)) {
-        Result<std::string> text = readRegularFile(it->path().string());
-        if (!text) return text.error();
-        std::string name = it->path().filename().string();
-        for (std::string* words : {&name, &text.value()}) {
+    Result<std::map<std::string, std::string>> read = templateFiles(from, robot, locations);
+    if (!read) return read.error();
+    std::map<std::string, std::string> files; // by name
+    for (const auto& [fileName, written] : read.value()) {
+        std::string name = fileName, text = from.plain ? forRobot(written, robot) : written;
+        for (std::string* words : {&name, &text}) {
             replaceAll(*words, from.kind, kind);
             replaceAll(*words, from.module, module);
         }
-        files.emplace_back(std::move(name), std::move(text).value());
+        files.emplace(std::move(name), std::move(text));
     }
-    if (ec || files.empty()) return Error{Code::FileUnreadable, "the templates are not found in " + source.string()};
-    std::ranges::sort(files);
 
     if (!fs::create_directory(folder, ec))
         return failure(folder.string(), ec ? ec.message() : std::string("it exists; choose another name or folder"));

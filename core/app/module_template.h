@@ -6,6 +6,7 @@
 
 #include "app/locations.h"
 #include "base/result.h"
+#include "model/experiment_spec.h"
 
 namespace trundle {
 
@@ -24,6 +25,15 @@ struct NewModule {
     std::string load;               ///< the line of an experiment beside the folder
 };
 
+/// What a new controller is for.
+struct CommandedRobot {
+    std::string config = "SimpleRobot";
+    std::string driveKind = "DifferentialDrive",
+                drive = "base"; ///< its drive; empty: it has none, the controller does nothing yet
+};
+/// The first drive of a robot.
+[[nodiscard]] CommandedRobot commandedRobot(const RobotConfigSpec& config);
+
 /// Why a kind cannot have this name; empty if it can.
 [[nodiscard]] std::string kindNameFault(const std::string& kind);
 /// The same for a kind of a module, whose code and blocks begin with it: also if it is a word of their languages.
@@ -37,7 +47,8 @@ struct NewModule {
 
 /// Writes the template for a kind of that name into a new folder below `parent`: WallFollow becomes wall_follow/wall_follow.cpp.
 /// Fails, and writes nothing, if the name cannot be a kind's, if that folder exists, or if it cannot be written.
+/// `robot`: what a controller commands.
 [[nodiscard]] Result<NewModule> makeModule(ModuleTemplate what, const std::string& kind, const std::string& parent,
-                                           const Locations& locations);
+                                           const Locations& locations, const CommandedRobot& robot = {});
 
 } // namespace trundle

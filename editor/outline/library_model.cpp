@@ -7,6 +7,15 @@
 #include "editor/outline/block_mime.h"
 
 namespace trundle {
+namespace {
+
+/// The help of a config may begin with its title, "EvBot: a sturdy robot".
+QString titleAndHelp(const LibraryItem& item, const QString& between) {
+    if (item.help.startsWith(item.title + QStringLiteral(": "))) return item.help;
+    return item.help.isEmpty() ? item.title : item.title + between + item.help;
+}
+
+} // namespace
 
 LibraryModel::LibraryModel(TextOf textOf, QObject* parent) : QAbstractListModel(parent), m_textOf(std::move(textOf)) {}
 
@@ -30,8 +39,8 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
     const LibraryItem& item = m_items[std::size_t(index.row())];
     switch (role) {
     case Qt::DisplayRole: return item.title;
-    case Qt::ToolTipRole: return item.help.isEmpty() ? item.title : item.title + QLatin1Char('\n') + item.help;
-    case Qt::StatusTipRole: return item.help.isEmpty() ? item.title : item.title + QStringLiteral(": ") + item.help;
+    case Qt::ToolTipRole: return titleAndHelp(item, QStringLiteral("\n"));
+    case Qt::StatusTipRole: return titleAndHelp(item, QStringLiteral(": "));
     case Qt::AccessibleDescriptionRole:
     case HelpRole: return item.help;
     case SectionRole: return int(item.section);

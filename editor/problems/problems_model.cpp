@@ -145,6 +145,7 @@ void ProblemsModel::rebuild() {
         m_entries.push_back({&d, source, {}});
         if (source == Source::Build) return; // without fixes
         if (const auto& texts = textsOf(m_entries.back())) m_entries.back().fixes = applicableFixes(*texts, d);
+        if (source == Source::Texts && d.code == Code::ModuleNotTrusted) m_entries.back().fixes.push_back(&m_trust);
     };
     const auto refuses = [](const Diagnostic& d) { return d.severity == Severity::Error && d.code == Code::DeviceSetup; };
     // If a run was refused for an error that the model check also found in these texts, show only the latter, which has a

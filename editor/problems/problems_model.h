@@ -40,7 +40,8 @@ public:
     /// The source range of a row, in textsAt().
     [[nodiscard]] SourceRange placeAt(const QModelIndex& index) const;
     [[nodiscard]] std::shared_ptr<const LoadedProject> textsAt(const QModelIndex& index) const;
-    /// The fix of a child row, or the first fix of a diagnostic; null if there is none or it is for outdated texts.
+    /// The fix of a child row, or the first fix of a diagnostic; null if there is none or it is for outdated texts. Without edits it
+    /// means trust in the folder of a module.
     [[nodiscard]] const Fix* fixAt(const QModelIndex& index) const;
 
     [[nodiscard]] QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
@@ -74,6 +75,7 @@ private:
     std::vector<Diagnostic> m_run, m_modelProblems, m_build;
     std::shared_ptr<const ProblemsInCode> m_inCode; ///< those of m_loaded with a place in the source of a module, there
     std::vector<Entry> m_entries; ///< shown, in order
+    const Fix m_trust{tr("Trust…").toStdString(), {}}; ///< of a module in a folder that is not trusted: no edit of a text
     int m_errors = 0, m_warnings = 0;
     bool m_showErrors = true, m_showWarnings = true;
     QString m_words;

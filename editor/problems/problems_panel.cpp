@@ -228,6 +228,7 @@ void ProblemsPanel::fixCurrent() { applyFix(m_view->currentIndex()); }
 void ProblemsPanel::applyFix(const QModelIndex& index) {
     const Fix* fix = m_model->fixAt(index);
     if (!fix) return;
+    if (fix->edits.empty()) return Q_EMIT trustRequested(m_model->diagnosticAt(index)->range);
     (void)m_document.structure().applyFix(Fix(*fix)); // rebuilds the model; the document reports a failure
 }
 

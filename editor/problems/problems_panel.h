@@ -48,6 +48,7 @@ public Q_SLOTS:
 Q_SIGNALS:
     void jumpTo(const std::string& file, const trundle::SourceRange& range);
     void countsChanged(int errors, int warnings);
+    void trustRequested(const trundle::SourceRange& module); ///< its path in a #loadModule
     /// The diagnostics of the model check for these texts, emitted shortly after the last edit.
     void modelChecked(const std::shared_ptr<const trundle::LoadedProject>& texts, const std::vector<trundle::Diagnostic>& found);
 

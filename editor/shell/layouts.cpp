@@ -4,6 +4,7 @@
 #include <span>
 #include <utility>
 
+#include <QApplication>
 #include <QLayout>
 #include <QScrollArea>
 #include <QSettings>
@@ -19,6 +20,9 @@ const QString kGuide = QStringLiteral("guide");
 bool isSmall(const QWidget& window) { return window.width() < 1000 && window.height() < 600; }
 
 QString settingOf(Layout layout) { return QStringLiteral("layouts/") + nameOf(layout); }
+
+constexpr std::pair<Qt::DockWidgetArea, const char*> kSides[] = {{Qt::LeftDockWidgetArea, "/left"},
+                                                                 {Qt::RightDockWidgetArea, "/right"}};
 
 /// Where a dock is in a layout at first.
 struct DockPlace {
@@ -76,6 +80,7 @@ Layouts::Layouts(QMainWindow& window) : QObject(&window), m_window(window), m_me
     m_window.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks |
                             QMainWindow::GroupedDragging); // GroupedDragging: also by the tab, since tabbed docks have no title
     m_window.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    m_window.installEventFilter(this);
 }
 
 QDockWidget* Layouts::add(QWidget* panel, const QString& title) {
@@ -85,6 +90,7 @@ QDockWidget* Layouts::add(QWidget* panel, const QString& title) {
     m_window.addDockWidget(Qt::LeftDockWidgetArea, dock);
     dock->hide(); // until setShown()
     m_docks[panel->objectName()] = dock;
+    dock->installEventFilter(this);
     for (const auto& moved : {&QDockWidget::visibilityChanged, &QDockWidget::topLevelChanged})
         connect(dock, moved, this, &Layouts::showTitles, Qt::QueuedConnection);
     connect(dock, &QDockWidget::dockLocationChanged, this, &Layouts::showTitles, Qt::QueuedConnection);
@@ -113,11 +119,15 @@ void Layouts::use(Layout layout) {
 
 void Layouts::resetCurrent() {
     QSettings().remove(settingOf(m_layout));
+    for (const auto& [area, side] : kSides) QSettings().remove(settingOf(m_layout) + QLatin1String(side));
     if (m_shown) arrange(m_layout);
 }
 
 void Layouts::save() const {
-    if (m_shown && m_savesSettings) QSettings().setValue(settingOf(m_layout), m_window.saveState(kVersion));
+    if (!m_shown || !m_savesSettings) return;
+    QSettings settings;
+    settings.setValue(settingOf(m_layout), m_window.saveState(kVersion));
+    for (const auto& [area, side] : kSides) settings.setValue(settingOf(m_layout) + QLatin1String(side), m_widths.value(area));
 }
 
 void Layouts::restore() {
@@ -127,7 +137,9 @@ void Layouts::restore() {
     const bool restored = !kept.isEmpty() && m_window.restoreState(kept, kVersion);
     // A layout saved on a larger screen widens the window while it is already visible.
     const bool fits = !small || std::max(m_window.minimumSizeHint().width(), m_window.width()) <= size.width();
+    for (const auto& [area, side] : kSides) m_widths[area] = QSettings().value(settingOf(m_layout) + QLatin1String(side)).toInt();
     if (!restored || !fits) arrange(m_layout);
+    else widenDocks();
     if (fits) return;
     m_window.layout()->activate(); // else the docks as they were kept hold the window wide
     m_window.resize(size);
@@ -212,6 +224,42 @@ void Layouts::showTitles() {
     }
 }
 
+/// A smaller window narrows the docks; Qt does not widen them with it again.
+bool Layouts::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize && m_shown) {
+        if (watched == &m_window) widenDocks();
+        else if (QApplication::mouseButtons() != Qt::NoButton) recordWidths(); // its edge is dragged
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+QDockWidget* Layouts::widestIn(Qt::DockWidgetArea area) const {
+    QDockWidget* widest = nullptr;
+    for (auto it = m_docks.begin(); it != m_docks.end(); ++it) {
+        QDockWidget* dock = it.value();
+        if (dock->isFloating() || m_window.dockWidgetArea(dock) != area || !isInFront(it.key())) continue;
+        if (!widest || dock->width() > widest->width()) widest = dock;
+    }
+    return widest;
+}
+
+void Layouts::recordWidths() {
+    for (const auto& [area, side] : kSides)
+        if (const QDockWidget* dock = widestIn(area)) m_widths[area] = dock->width();
+}
+
+void Layouts::widenDocks() {
+    if (isSmall(m_window)) return;
+    QList<QDockWidget*> narrow;
+    QList<int> widths;
+    for (const auto& [area, side] : kSides)
+        if (QDockWidget* dock = widestIn(area); dock && dock->width() < m_widths.value(area)) {
+            narrow += dock;
+            widths += m_widths.value(area);
+        }
+    if (!narrow.empty()) m_window.resizeDocks(narrow, widths, Qt::Horizontal);
+}
+
 void Layouts::sizeDocks() {
     const auto dock = [this](const char* name) { return m_docks.value(QLatin1String(name)); };
     const bool edit = m_layout == Layout::Edit;
@@ -220,8 +268,9 @@ void Layouts::sizeDocks() {
         m_window.resizeDocks({dock("scene")}, {300}, Qt::Horizontal);
         return m_window.resizeDocks({dock(edit ? "problems" : "console")}, {120}, Qt::Vertical);
     }
-    m_window.resizeDocks({dock("scene"), dock("properties")},
-                         {std::clamp(width * 18 / 100, 190, 280), std::clamp(width * 22 / 100, 300, 340)}, Qt::Horizontal);
+    m_widths = {{Qt::LeftDockWidgetArea, std::clamp(width * 18 / 100, 190, 280)},
+                {Qt::RightDockWidgetArea, std::clamp(width * 22 / 100, 300, 340)}};
+    m_window.resizeDocks({dock("scene"), dock("properties")}, m_widths.values(), Qt::Horizontal);
     if (edit) m_window.resizeDocks({dock("scene"), dock("library")}, {430, 300}, Qt::Vertical);
     m_window.resizeDocks({dock(edit ? "problems" : "console")}, {edit ? 170 : 230}, Qt::Vertical);
 }

@@ -37,9 +37,15 @@ public:
     /// "Show Console" ...: actions that raise a dock, for the command palette.
     [[nodiscard]] QList<QAction*> raising() const { return m_raising; }
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     void arrange(Layout layout);
     void sizeDocks();
+    void recordWidths();
+    void widenDocks();
+    [[nodiscard]] QDockWidget* widestIn(Qt::DockWidgetArea area) const;
     void restore();
     void showTitles();
 
@@ -48,6 +54,7 @@ private:
     QMap<QString, QDockWidget*> m_docks;
     QList<QAction*> m_raising;
     Layout m_layout = Layout::Edit;
+    QMap<Qt::DockWidgetArea, int> m_widths; // of the docks at the sides, as they were chosen: a small window narrows them
     bool m_shown = false, m_savesSettings = true;
 };
 

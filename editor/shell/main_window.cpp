@@ -210,6 +210,7 @@ void MainWindow::connectDocument() {
     connect(m_document, &Document::opened, this, [this] { m_problemsMayCome = true; });
     connect(m_document, &Document::changed, this, &MainWindow::raiseProblemsOnce); // emitted after opened()
     connect(&m_document->texts(), &DocumentTexts::modifiedChanged, this, &MainWindow::showTitle);
+    connect(&m_document->access(), &ProjectAccess::changed, this, &MainWindow::showTitle);
     connect(m_document, &Document::refused, m_status, &StatusLine::refuse);
     connect(m_document, &Document::selectionRequested, m_selection, [this](const auto& paths) {
         if (!paths.empty()) return m_selection->set(paths);

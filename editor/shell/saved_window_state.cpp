@@ -1,6 +1,7 @@
 #include "editor/shell/saved_window_state.h"
 
 #include <cmath>
+#include <numbers>
 
 #include <QCryptographicHash>
 #include <QDir>
@@ -43,13 +44,14 @@ QVariantList numbersOf(const CameraView& camera) {
     QVariantList numbers;
     for (const Vec3& v : {camera.eye, camera.target})
         for (int k = 0; k < 3; ++k) numbers += v[k];
-    return numbers << camera.orthographicWidth;
+    return numbers << camera.orthographicWidth << camera.fieldOfView;
 }
 
 std::optional<CameraView> cameraFrom(const QVariantList& numbers) {
-    if (numbers.size() != 7) return std::nullopt;
-    double n[7];
-    for (int i = 0; i < 7; ++i) {
+    constexpr int kCount = 8;
+    double n[kCount] = {0, 0, 0, 0, 0, 0, 0, std::numbers::pi / 4}; // earlier files have no field of view
+    if (numbers.size() != kCount && numbers.size() != kCount - 1) return std::nullopt;
+    for (int i = 0; i < numbers.size(); ++i) {
         n[i] = numbers[i].toDouble();
         if (!std::isfinite(n[i]) || std::abs(n[i]) > 1e6) return std::nullopt;
     }
@@ -57,8 +59,8 @@ std::optional<CameraView> cameraFrom(const QVariantList& numbers) {
     camera.eye = {n[0], n[1], n[2]};
     camera.target = {n[3], n[4], n[5]};
     camera.orthographicWidth = n[6];
-    if ((camera.target - camera.eye).norm() < 1e-6) return std::nullopt;
-    return camera;
+    camera.fieldOfView = n[7];
+    return isUsable(camera) ? std::optional(camera) : std::nullopt;
 }
 
 /// Each as its path and, if its label was moved, the label's position.
@@ -143,7 +145,8 @@ void SavedWindowState::restore() {
         const QString view = QStringLiteral("view%1/").arg(i);
         const int kind = kept.value(view + QStringLiteral("kind"), -1).toInt();
         const auto camera = cameraFrom(kept.value(view + QStringLiteral("camera")).toList());
-        if (camera && kind >= 0 && kind <= int(ViewKind::Chase)) viewStates.push_back({ViewKind(kind), *camera});
+        if (camera && kind >= 0 && kind <= int(ViewKind::Chase))
+            viewStates.push_back({ViewKind(kind), *camera, kept.value(view + QStringLiteral("named")).toString().toStdString()});
     }
     if (viewStates.size() == 4) m_viewport.views().setViewStates(viewStates, kept.value(QStringLiteral("views"), 1).toInt());
     m_marks.setHidden(hidden, true);
@@ -167,6 +170,7 @@ void SavedWindowState::save() const {
         const QString view = QStringLiteral("view%1/").arg(i);
         kept.setValue(view + QStringLiteral("kind"), int(viewStates[i].kind));
         kept.setValue(view + QStringLiteral("camera"), numbersOf(viewStates[i].camera));
+        kept.setValue(view + QStringLiteral("named"), QString::fromStdString(viewStates[i].named));
     }
     tidy();
 }

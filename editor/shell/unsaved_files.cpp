@@ -22,7 +22,7 @@ QStringList unsavedFiles(const Document& document) {
     return names;
 }
 
-QString windowTitle(const Document& document) {
+QString windowTitle(Document& document) {
     const QStringList unsaved = unsavedFiles(document);
     const QString opened = QString::fromStdString(document.texts().shown(document.path()));
     QString title = QFileInfo(opened).fileName();
@@ -37,6 +37,7 @@ QString windowTitle(const Document& document) {
     }
     if (const auto more = int(others.size() - named.size()); more > 0)
         title += QLatin1Char(' ') + tr("and %1 more files*", more).arg(more);
+    if (document.access().isReadOnly()) title += QStringLiteral(" – ") + QCoreApplication::translate("UnsavedFiles", "read-only");
     return title + QStringLiteral(" – Trundle");
 }
 

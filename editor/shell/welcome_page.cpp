@@ -176,6 +176,8 @@ QScrollArea* scrolled(QWidget* content) {
     return scroll;
 }
 
+constexpr int kStartWidth = 260;
+
 /// Whether a crashed window has left edits of this file. Opening it offers to restore them.
 bool hasUnsavedWork(const QString& file) {
     const std::string path = canonicalPath(file.toStdString());
@@ -195,7 +197,7 @@ WelcomePage::WelcomePage(const Actions& actions, const QString& configs, QWidget
     refresh();
 }
 
-void WelcomePage::fitStart() { m_start->setFixedWidth(scaledToFont(260)); }
+void WelcomePage::fitStart() { m_start->setFixedWidth(scaledToFont(kStartWidth)); }
 
 void WelcomePage::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
@@ -273,7 +275,10 @@ void WelcomePage::refresh() {
         const bool several =
             std::ranges::count_if(shown, [&](const QString& other) { return QFileInfo(other).fileName() == name; }) > 1;
         const QString label = several ? tr("%1 in %2").arg(name, QFileInfo(file).dir().dirName()) : name;
-        QPushButton* button = linkButton(hasUnsavedWork(file) ? tr("%1 – unsaved work").arg(label) : label);
+        QPushButton* button = linkButton({});
+        constexpr int kBeside = 24; // of the text: padding and the scroll bar
+        button->setText(button->fontMetrics().elidedText(hasUnsavedWork(file) ? tr("%1 – unsaved work").arg(label) : label,
+                                                         Qt::ElideMiddle, scaledToFont(kStartWidth - kBeside)));
         button->setObjectName(QStringLiteral("recent.") + name);
         button->setToolTip(file);
         connect(button, &QPushButton::clicked, this, [this, file] { Q_EMIT openRequested(file); });

@@ -206,6 +206,53 @@ private Q_SLOTS:
         QVERIFY(text.contains("MyControllerTwo") && !text.contains("MyControllerTwoTwo"));
     }
 
+    void controllersForDrives_data() {
+        QTest::addColumn<QByteArray>("drive"); // kind and name
+        QTest::addColumn<QByteArray>("cpp");
+        QTest::addColumn<QByteArray>("python");
+        QTest::newRow("none") << QByteArray() << QByteArray("Seconds) override {}") << QByteArray("pass");
+        QTest::newRow("skid") << QByteArray("SkidDrive d") << QByteArray("skidDrive(\"d\")|SkidDrivePort|move(speed, turnRate)")
+                              << QByteArray("skid_drive(\"d\")|move(self.speed, self.turn_rate)");
+        QTest::newRow("tracks") << QByteArray("TrackDrive base") << QByteArray("trackDrive(\"base\")|TrackDrivePort")
+                                << QByteArray("track_drive(\"base\")");
+        QTest::newRow("omni") << QByteArray("OmniDrive base")
+                              << QByteArray("omniDrive(\"base\")|OmniDrivePort|move(speed, 0, turnRate)")
+                              << QByteArray("omni_drive(\"base\")|move(self.speed, 0.0, self.turn_rate)");
+        QTest::newRow("mecanum") << QByteArray("MecanumDrive base")
+                                 << QByteArray("mecanumDrive(\"base\")|MecanumDrivePort|speed, 0, turn")
+                                 << QByteArray("mecanum_drive(\"base\")|self.speed, 0.0, self.turn");
+        QTest::newRow("steered") << QByteArray("AckermannDrive car")
+                                 << QByteArray("ackermannDrive(\"car\")|AckermannDrivePort|"
+                                               "move(speed, steering)|&Left::steering, trundle::degrees()")
+                                 << QByteArray(
+                                        "ackermann_drive(\"car\")|move(self.speed, self.steering)|import degrees, field, metres");
+    }
+    /// A new controller commands what its robot has.
+    void controllersForDrives() {
+        QFETCH(QByteArray, drive);
+        QFETCH(QByteArray, cpp);
+        QFETCH(QByteArray, python);
+        RobotConfigSpec config;
+        config.name = "Wagen";
+        config.devices.push_back({"RotaryMotor", "left", {}, {}, {}});
+        if (!drive.isEmpty())
+            config.devices.push_back({drive.split(' ')[0].toStdString(), drive.split(' ')[1].toStdString(), {}, {}, {}});
+        const CommandedRobot robot = commandedRobot(config);
+        for (const ModuleTemplate what : {ModuleTemplate::Controller, ModuleTemplate::PythonController}) {
+            const std::string parent = path(QTest::currentDataTag()) + (isPython(what) ? "_py" : "_cpp");
+            QVERIFY(QDir().mkpath(QString::fromStdString(parent)));
+            const auto made = makeModule(what, "Left", parent, findLocations(), robot);
+            QVERIFY(made.ok());
+            QCOMPARE(made.value().files.size(), isPython(what) ? std::size_t(1) : std::size_t(2));
+            QFile source(QString::fromStdString(made.value().source));
+            QVERIFY(source.open(QIODevice::ReadOnly));
+            const QByteArray text = source.readAll();
+            for (const QByteArray& word : (isPython(what) ? python : cpp).split('|'))
+                QVERIFY2(text.contains(word), word + " in\n" + text);
+            QVERIFY2(text.contains("Config=Wagen  Left brain") && !text.contains("ifferential"), text);
+        }
+    }
+
 private:
     [[nodiscard]] std::string path(const char* name) const {
         return (QDir(m_folder.path()).canonicalPath() + u'/' + QLatin1String(name)).toStdString();

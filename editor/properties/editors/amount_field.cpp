@@ -31,6 +31,8 @@ AmountField::AmountField(Property property, QWidget* parent)
 
 void AmountField::setValue(double si) { m_field->setValue(toQString(numberOf(m_property, si))); }
 
+void AmountField::selectAll() { m_field->selectAll(); }
+
 QLabel* AmountField::makeLabel(const QString& text) {
     auto* label = new ScrubLabel;
     label->setText(text);

@@ -23,6 +23,7 @@ public:
     /// SI, of the text as typed so far; empty if it is no value of the property, see fault().
     [[nodiscard]] const std::optional<double>& value() const { return m_value; }
     [[nodiscard]] const QString& fault() const { return m_fault; }
+    void selectAll(); ///< so that what is typed replaces it
     /// Its buddy is this field. Belongs to the caller.
     [[nodiscard]] QLabel* makeLabel(const QString& text);
 

@@ -103,9 +103,17 @@ bool NumbersEditor::fit(std::size_t columns) const {
     if (!m_sized) return true; // widths are not known before the first layout
     int labels = 0, widest = 0;
     for (const ScrubLabel* label : m_labels) labels = std::max(labels, label->sizeHint().width());
-    for (const ValueField* field : m_fields) widest = std::max(widest, field->wholeWidth());
+    for (const ValueField* field : m_fields) widest = std::max({widest, field->wholeWidth(), field->minimumSizeHint().width()});
     const int count = static_cast<int>(columns), gaps = (2 * count - 1) * m_grid->horizontalSpacing();
-    return count * (labels + widest) + gaps <= width();
+    return count * (labels + widest) + gaps <= width() - m_grid->contentsMargins().left();
+}
+
+/// Below each other, which is what becomes of the numbers in a narrow panel: side by side they would hold it wide.
+QSize NumbersEditor::minimumSizeHint() const {
+    int labels = 0, fields = 0;
+    for (const ScrubLabel* label : m_labels) labels = std::max(labels, label->sizeHint().width() + m_grid->horizontalSpacing());
+    for (const ValueField* field : m_fields) fields = std::max(fields, field->minimumSizeHint().width());
+    return {m_grid->contentsMargins().left() + labels + fields, RowEditor::minimumSizeHint().height()};
 }
 
 void NumbersEditor::refresh() {

@@ -17,6 +17,7 @@ public:
     [[nodiscard]] QWidget* focusField() const override;
     [[nodiscard]] bool canScrub() const override;
     void scrub(double steps) override { scrubField(0, steps); }
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
 protected:
     void refresh() override;

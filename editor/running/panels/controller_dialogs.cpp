@@ -11,6 +11,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "control/python_kinds.h"
 #include "editor/widgets/controls.h"
 
 namespace trundle {
@@ -24,12 +25,15 @@ bool askForTrust(const QString& library, const QString& folder, QWidget* parent)
     QMessageBox box(QMessageBox::Warning, tr("Trust Modules"), tr("May the modules in this folder run?\n\n%1").arg(folder),
                     QMessageBox::NoButton, parent);
     box.setObjectName(QStringLiteral("trustQuestion"));
+    const QString danger =
+        isPythonModule(library.toStdString())
+            ? tr("%1 is a program. It runs with all your rights: it can read and change your files.")
+            : tr("%1 is a program. It runs with all your rights: it can read and change your files, and a fault of a "
+                 "component in it can end Trundle.");
     box.setInformativeText(
-        tr("%1 is a program. It runs inside Trundle, with all your rights: it can read and change your files, and a fault in "
-           "it can end Trundle. Trust the folder only if you know who made its contents. Modules below it are trusted too, "
-           "from "
-           "now on; Preferences list the trusted folders.")
-            .arg(QFileInfo(library).fileName()));
+        danger.arg(QFileInfo(library).fileName()) + QLatin1Char(' ') +
+        tr("Trust the folder only if you know who made its contents. Modules below it are trusted too, from now on; "
+           "Preferences list the trusted folders."));
     if (QFileInfo(library).fileName() == QLatin1String("CMakeLists.txt"))
         box.setInformativeText(
             tr("A build runs the commands in CMakeLists.txt, with all your rights: they can read and change your files. What is built "

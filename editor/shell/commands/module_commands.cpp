@@ -26,11 +26,33 @@
 #include "editor/text/pages/file_page.h"
 #include "editor/text/text_panel.h"
 #include "editor/widgets/strings.h"
+#include "model/robot_path.h"
 
 namespace trundle {
 namespace {
 
 QString nameOf(const std::string& folder) { return QFileInfo(toQString(folder)).fileName(); }
+
+/// What a new controller commands: the first of the robots that get it.
+CommandedRobot commandedAmong(const LoadedProject& loaded, const std::vector<std::string>& robots) {
+    for (const ControlledRobot& controlled : controlledRobots(loaded))
+        for (const RobotSpec& robot : loaded.experiment->robots)
+            if (controlled.isAmong(robots) && robot.config && isNamedBy(robot.name, controlled.path))
+                return commandedRobot(*robot.config);
+    return {};
+}
+
+/// "robot0, in place of Wander"; empty for no robots.
+QString usersText(const LoadedProject& loaded, const std::vector<std::string>& robots) {
+    if (robots.empty()) return {};
+    QStringList replaced;
+    for (const ControlledRobot& robot : controlledRobots(loaded))
+        if (robot.isAmong(robots) && !robot.kind.empty()) replaced += toQString(robot.kind);
+    const QString users = robots.size() == 1 ? toQString(robots[0]) : ModuleCommands::tr("%1 robots").arg(robots.size());
+    if (replaced.isEmpty()) return users;
+    if (robots.size() > 1) return ModuleCommands::tr("%1, in place of their controllers").arg(users);
+    return ModuleCommands::tr("%1, in place of %2").arg(users, replaced.first());
+}
 
 } // namespace
 
@@ -42,6 +64,12 @@ ModuleCommands::ModuleCommands(QWidget& window, Actions& actions, const Targets&
     on("controllers.newComponent", [this] { askForNew(false); });
     on("controllers.build", [this] { build(); });
     on("controllers.cancelBuild", [this] { m_builder->cancel(); });
+    connect(&m_targets.problems, &ProblemsPanel::trustRequested, this, [this](const SourceRange& place) {
+        ControllerCommands& commands = m_targets.controllers.commands();
+        const std::vector<ModuleInfo> modules = commands.modules();
+        const auto module = std::ranges::find(modules, place, &ModuleInfo::range);
+        if (module != modules.end()) (void)commands.trust(*module);
+    });
     connect(m_builder, &ModuleBuilder::printed, this, [this](const QStringList& lines) { showLines(lines, TRUNDLE_INFO); });
     connect(m_builder, &ModuleBuilder::ended, this, &ModuleCommands::finish);
     connect(&m_targets.document, &Document::opened, this, [this] {
@@ -80,7 +108,7 @@ void ModuleCommands::askForNew(bool isController) {
     NewModuleDialog::Options options;
     options.isController = isController;
     options.project = toQString(document.loaded()->projectFolder);
-    options.user = robots.size() == 1 ? toQString(robots[0]) : robots.empty() ? QString() : tr("%1 robots").arg(robots.size());
+    options.user = usersText(*document.loaded(), robots);
     options.fault = [this](ModuleTemplate what, const std::string& kind) { return nameFault(what, kind); };
     auto* dialog = new NewModuleDialog(std::move(options), &m_window);
     connect(&document, &Document::opened, dialog, &QDialog::reject);
@@ -90,7 +118,8 @@ void ModuleCommands::askForNew(bool isController) {
 
 void ModuleCommands::create(const NewModuleDialog& dialog, const std::vector<std::string>& robots) {
     const ModuleTemplate what = dialog.what();
-    const Result<NewModule> made = makeModule(what, dialog.kind(), dialog.folder(), m_targets.application.locations());
+    const Result<NewModule> made = makeModule(what, dialog.kind(), dialog.folder(), m_targets.application.locations(),
+                                              commandedAmong(*m_targets.document.loaded(), robots));
     if (!made) return m_targets.status.refuse(toQString(made.error().message));
     const NewModule& module = made.value();
     TrustedFolders::add(toQString(module.folder)); // the dialog says so

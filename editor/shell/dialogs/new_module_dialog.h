@@ -23,7 +23,8 @@ public:
     struct Options {
         bool isController = true;
         QString project;    ///< the folder that must contain the module's
-        QString user;       ///< of a controller, what it can be used for: "robot0", "3 robots"; empty: nothing is selected
+        /// Of a controller, what it can be used for: "robot0, in place of Wander", "3 robots"; empty: nothing is selected.
+        QString user;
         /// Why a kind cannot have a name; empty if it can.
         std::function<QString(ModuleTemplate what, const std::string& kind)> fault;
     };

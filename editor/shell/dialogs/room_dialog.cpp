@@ -35,6 +35,8 @@ RoomDialog::RoomDialog(bool hasFloor, QWidget* parent)
         connect(field, &AmountField::submitted, m_insert, [this] { m_insert->click(); });
     }
     connect(m_side, &QComboBox::currentIndexChanged, this, &RoomDialog::check);
+    m_length->setFocus();
+    m_length->selectAll(); // so that a number that is typed replaces it
     check();
 }
 

@@ -57,6 +57,18 @@ QPixmap badge(CompletionSort sort, qreal scale, bool selected) {
     return pixmap;
 }
 
+/// What fits into some lines, with an ellipsis for the rest.
+QString fitted(const QString& text, const QFontMetrics& metrics, const QRect& room) {
+    const auto fits = [&](const QString& some) {
+        return metrics.boundingRect(QRect(0, 0, room.width(), 10000), Qt::TextWordWrap, some).height() <= room.height();
+    };
+    if (fits(text)) return text;
+    qsizetype length = 0;
+    for (qsizetype step = text.size(); step > 0; step = step > 1 ? (step + 1) / 2 : 0)
+        if (length + step < text.size() && fits(text.left(length + step) + QChar(0x2026))) length += step;
+    return text.left(length).trimmed() + QChar(0x2026);
+}
+
 } // namespace
 
 CompletionPopup::CompletionPopup(QWidget* owner)
@@ -183,9 +195,11 @@ bool CompletionPopup::eventFilter(QObject* watched, QEvent* event) {
 
 void CompletionPopup::showHelp() {
     const int at = current();
-    m_help->setText(at >= 0 && at < static_cast<int>(m_helps.size())
-                        ? QString::fromStdString(m_helps[static_cast<std::size_t>(at)])
-                        : QString());
+    const QString help = at >= 0 && at < static_cast<int>(m_helps.size())
+                             ? QString::fromStdString(m_helps[static_cast<std::size_t>(at)])
+                             : QString();
+    m_help->setText(fitted(help, m_help->fontMetrics(),
+                           {0, 0, width() - 2 * kHelpMargin - 2, kMaxHelpLines * m_help->fontMetrics().lineSpacing()}));
 }
 
 } // namespace trundle

@@ -68,6 +68,8 @@ void CameraControl::followCamera() {
 void CameraControl::followNamed() {
     if (m_named.empty()) return;
     if (const auto view = namedNow()) return m_camera.setView(*view);
+    const auto& loaded = m_context.document.loaded();
+    if (loaded && loaded->diagnostics.hasErrors()) return; // while a text is typed: the View is there again when it is whole
     m_named.clear();
     Q_EMIT kindChanged();
 }

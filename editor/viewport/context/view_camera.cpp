@@ -6,7 +6,7 @@
 namespace trundle {
 namespace {
 
-constexpr double kFieldOfView = 45 * std::numbers::pi / 180;
+constexpr double kHalfWidth = std::numbers::sqrt2 - 1; // tan(22.5°), of the usual field of view, 45°
 constexpr double kQuarter = std::numbers::pi / 2;
 constexpr double kNearest = 0.02, kFarthest = 5000; // m, limits of the view distance
 constexpr double kFarAway = 1e5;                    // m; an eye farther away is moved back
@@ -32,6 +32,8 @@ Vec3 ViewCamera::upward() const { return clean(-std::sin(m_pitch) * headingOf(m_
 
 void ViewCamera::setKind(ViewKind kind) {
     const Vec3 at = middle();
+    m_distance = std::clamp(m_distance * (m_halfWidth / kHalfWidth), kNearest, kFarthest);
+    m_halfWidth = kHalfWidth;
     m_kind = kind;
     m_following = false;
     m_parallel = kind != ViewKind::Perspective && kind != ViewKind::Follow && kind != ViewKind::Chase;
@@ -46,9 +48,9 @@ CameraView ViewCamera::view(double reach) const {
     view.eye = m_eye;
     view.target = middle();
     view.up = upward();
-    view.fieldOfView = kFieldOfView;
+    view.fieldOfView = 2 * std::atan(m_halfWidth);
     if (m_parallel) {
-        view.orthographicWidth = 2 * m_distance * std::tan(0.5 * kFieldOfView);
+        view.orthographicWidth = 2 * m_distance * m_halfWidth;
         const double back = std::max(m_distance, 1.2 * reach + 1);
         view.eye = view.target - back * forward();
         view.nearPlane = 0.01;
@@ -62,12 +64,15 @@ void ViewCamera::setView(const CameraView& view) {
     m_eye = view.eye;
     m_distance = std::clamp(along.norm(), kNearest, kFarthest);
     m_pitch = std::asin(std::clamp(along.z() / along.norm(), -1.0, 1.0));
-    if (along.head<2>().norm() > 1e-9) m_heading = std::atan2(along.y(), along.x());
+    const Vec3 up = cameraAxes(view).col(1); // straight down or up, it says where the heading is in the picture
+    const Vec3 ahead = along.head<2>().norm() > 1e-9 ? along : along.z() < 0 ? up : Vec3(-up);
+    m_heading = std::atan2(ahead.y(), ahead.x());
     m_parallel = view.orthographicWidth > 0;
     m_kind = m_parallel ? ViewKind::Orthographic : ViewKind::Perspective;
+    m_halfWidth = m_parallel ? kHalfWidth : std::tan(0.5 * view.fieldOfView);
     if (m_parallel) {
         const Vec3 at = view.target;
-        m_distance = std::clamp(0.5 * view.orthographicWidth / std::tan(0.5 * kFieldOfView), kNearest, kFarthest);
+        m_distance = std::clamp(0.5 * view.orthographicWidth / m_halfWidth, kNearest, kFarthest);
         m_eye = at - m_distance * forward();
     }
 }
@@ -101,7 +106,7 @@ void ViewCamera::frame(const Bounds& bounds, double width, double height) {
     if (box.radius() < 0.05) box.grow(0.05);
     Mat3 axes;
     axes << right(), upward(), -forward();
-    const double halfWidth = std::tan(0.5 * kFieldOfView) * kRoom, halfHeight = halfWidth * height / std::max(1.0, width);
+    const double halfWidth = m_halfWidth * kRoom, halfHeight = halfWidth * height / std::max(1.0, width);
     Vec3 at = box.centre();
     double distance = 0;
     for (int round = 0; round < 4; ++round) {
@@ -146,7 +151,7 @@ void ViewCamera::follow(const Pose& robot) {
 
 double ViewCamera::metresPerPixel(double width, const Vec3& at) const {
     const double depth = m_parallel ? m_distance : std::max(1e-6, forward().dot(at - m_eye));
-    return 2 * depth * std::tan(0.5 * kFieldOfView) / std::max(1.0, width);
+    return 2 * depth * m_halfWidth / std::max(1.0, width);
 }
 
 } // namespace trundle

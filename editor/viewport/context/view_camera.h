@@ -14,13 +14,13 @@ public:
     [[nodiscard]] ViewKind kind() const { return m_kind; }
     [[nodiscard]] bool isParallel() const { return m_parallel; }
     /// Axis views rotate the camera and use parallel projection; Follow and Chase use perspective. The centre of the view is
-    /// kept.
+    /// kept, and how much is seen there; the field of view is the usual one afterwards.
     void setKind(ViewKind kind);
 
     /// The view for an image of this shape. `reach`: extent of the scene around the centre, so that a parallel view does not clip
     /// it.
     [[nodiscard]] CameraView view(double reach = 0) const;
-    void setView(const CameraView& view);
+    void setView(const CameraView& view); ///< with its field of view, which motions keep
 
     /// Orbits about a point, whose position in the image is kept. An axis view becomes a perspective view.
     void orbit(double heading, double pitch, const Vec3& about);
@@ -50,6 +50,7 @@ private:
     bool m_parallel = false, m_following = false;
     Vec3 m_eye{2, -4, 2.5}, m_lastRobot = Vec3::Zero();
     double m_heading = 2, m_pitch = -0.5, m_distance = 5, m_lastHeading = 0;
+    double m_halfWidth = std::numbers::sqrt2 - 1; // tangent of half the field of view
 };
 
 } // namespace trundle

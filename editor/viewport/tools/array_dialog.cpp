@@ -10,6 +10,20 @@
 #include <QVBoxLayout>
 
 namespace trundle {
+namespace {
+
+QDoubleSpinBox* spacingBox(const QString& axis, double metres) {
+    auto* box = new QDoubleSpinBox;
+    box->setObjectName(QStringLiteral("spacing") + axis);
+    box->setRange(-1000, 1000);
+    box->setDecimals(3);
+    box->setSingleStep(0.1);
+    box->setSuffix(ArrayDialog::tr(" m"));
+    box->setValue(metres);
+    return box;
+}
+
+} // namespace
 
 ArrayDialog::ArrayDialog(const Vec3& spacing, int originals, const QString& gridRefusal, bool gridIsTurned, QWidget* parent)
     : QDialog(parent), m_originals(originals), m_gridIsTurned(gridIsTurned) {
@@ -26,13 +40,7 @@ ArrayDialog::ArrayDialog(const Vec3& spacing, int originals, const QString& grid
         m_count[std::size_t(k)]->setObjectName(QStringLiteral("count") + name);
         m_count[std::size_t(k)]->setRange(1, 200);
         m_count[std::size_t(k)]->setValue(k == 0 ? 3 : 1);
-        m_spacing[std::size_t(k)] = new QDoubleSpinBox;
-        m_spacing[std::size_t(k)]->setObjectName(QStringLiteral("spacing") + name);
-        m_spacing[std::size_t(k)]->setRange(-1000, 1000);
-        m_spacing[std::size_t(k)]->setDecimals(3);
-        m_spacing[std::size_t(k)]->setSingleStep(0.1);
-        m_spacing[std::size_t(k)]->setSuffix(tr(" m"));
-        m_spacing[std::size_t(k)]->setValue(spacing[k]);
+        m_spacing[std::size_t(k)] = spacingBox(name, spacing[k]);
         auto* label = new QLabel(name);
         label->setBuddy(m_count[std::size_t(k)]);
         grid->addWidget(label, k + 1, 0);
@@ -59,6 +67,8 @@ ArrayDialog::ArrayDialog(const Vec3& spacing, int originals, const QString& grid
     all->addWidget(m_asGrid);
     all->addWidget(m_summary);
     all->addWidget(buttons);
+    m_count[0]->setFocus();
+    m_count[0]->selectAll(); // so that a number that is typed replaces it
     showStatus();
 }
 

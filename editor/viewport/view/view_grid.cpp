@@ -53,11 +53,12 @@ ViewGrid::ViewGrid(const ViewContext& context)
 void ViewGrid::connectFraming() {
     connect(&m_context.document.editedModel(), &EditedModel::changed, this, &ViewGrid::showModel);
     connect(&m_context.document, &Document::opened, this, [this] {
-        m_toBeFramed = true;
+        m_isNew = m_toBeFramed = true;
         m_awaitsFiles = false;
         leaveFollowedRobot();
     });
     connect(&m_context.document, &Document::changed, this, [this] { // emitted after opened(), before which the scene is outdated
+        if (std::exchange(m_isNew, false)) startAgain();
         if (!m_toBeFramed || m_context.world.objects()->instances().empty()) return;
         // Meshes and height maps of a text are read after it; then it is framed once more.
         m_toBeFramed = !std::exchange(m_awaitsFiles, false) && awaitsFiles(m_context.world.objects()->experiment());
@@ -68,9 +69,14 @@ void ViewGrid::connectFraming() {
     if (!m_context.world.objects()->instances().empty()) m_toBeFramed = false, m_frameWhenShown = true;
 }
 
+/// A new document has the views of a new window, whatever the one before was looked at with.
+void ViewGrid::startAgain() {
+    for (std::size_t i = 0; i < m_views.size(); ++i) m_views[i]->camera().setKind(kKinds[i]);
+}
+
 /// A new document is shown as its first View block says, and otherwise whole.
 void ViewGrid::frameNew() {
-    frameAll();
+    showAll(true);
     const std::vector<ComponentSpec>& looks = m_context.world.objects()->experiment().looks;
     const auto view = std::ranges::find(looks, "View", &ComponentSpec::kind);
     if (view != looks.end() && !showsModel(m_context.world)) m_current->camera().showNamed(view->name);
@@ -171,7 +177,10 @@ std::optional<Vec3> ViewGrid::insertionPoint() const {
 
 std::vector<ViewState> ViewGrid::viewStates() const {
     std::vector<ViewState> viewStates;
-    for (const View* view : m_views) viewStates.push_back({view->camera().free().kind(), view->camera().free().view()});
+    for (const View* view : m_views) {
+        const CameraControl& camera = view->camera();
+        viewStates.push_back({camera.free().kind(), camera.free().view(), camera.named()});
+    }
     return viewStates;
 }
 
@@ -180,8 +189,11 @@ void ViewGrid::setViewStates(const std::vector<ViewState>& viewStates, int shown
     setViewCount(shown);
     for (std::size_t i = 0; i < m_views.size() && i < viewStates.size(); ++i) {
         m_awaitsFraming[i] = false;
-        m_views[i]->camera().setView(viewStates[i].camera);
-        m_views[i]->camera().setKind(viewStates[i].kind);
+        const ViewState& state = viewStates[i];
+        CameraControl& camera = m_views[i]->camera();
+        camera.setView(state.camera);
+        if (camera.free().kind() != state.kind) camera.setKind(state.kind);
+        if (!state.named.empty()) camera.showNamed(state.named);
     }
 }
 
@@ -212,19 +224,21 @@ void ViewGrid::frameSelection() {
     m_current->frame(box);
 }
 
-void ViewGrid::frameAll() {
-    const bool first = !m_current->isVisible() || m_current->image().picture().isNull();
+void ViewGrid::frameAll() { showAll(!m_current->isVisible() || m_current->image().picture().isNull()); }
+
+/// `atOnce`: as at first; otherwise the current view keeps its direction and moves there.
+void ViewGrid::showAll(bool atOnce) {
     for (View* view : m_views) {
         if (view->camera().free().kind() == ViewKind::Perspective && m_context.world.objects()) {
             const auto width = std::uint32_t(std::max(16, view->width())), height = std::uint32_t(std::max(16, view->height()));
             const CameraView whole =
                 defaultView(m_context.world.objects()->experiment(), *m_context.world.poses(), width, height);
-            if (first || view != m_current) {
+            if (atOnce || view != m_current) {
                 view->camera().setView(whole);
                 continue;
             }
         }
-        view->frame(m_context.world.bounds(), view == m_current);
+        view->frame(m_context.world.bounds(), !atOnce && view == m_current);
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <QSplitter>
@@ -16,6 +17,7 @@ namespace trundle {
 struct ViewState {
     ViewKind kind = ViewKind::Perspective;
     CameraView camera;
+    std::string named; ///< the View block that it shows; empty: none
 };
 
 class ViewGrid final : public QSplitter {
@@ -54,7 +56,9 @@ private:
     void makeViews();
     void connectFraming();
     void showModel();
+    void startAgain();
     void frameNew();
+    void showAll(bool atOnce);
     void leaveFollowedRobot();
     void followDrivenRobot();
     void setCurrent(View& view);
@@ -67,6 +71,7 @@ private:
     int m_shown = 1;
     std::array<bool, 4> m_awaitsFraming{}; // newly shown
     bool m_awaitsFiles = false;            // framed before its meshes were read
+    bool m_isNew = false;                  // the document was opened, its scene is not there yet
     bool m_toBeFramed = true, m_frameWhenShown = false;
     std::vector<ViewState> m_experimentViews; // while the edited model is shown: the views of the experiment
 };

@@ -36,6 +36,21 @@ QDoubleSpinBox* stepBox(const QString& name, double value, const QString& suffix
     return box;
 }
 
+void startTyping(QDoubleSpinBox& box) {
+    box.setFocus();
+    box.selectAll(); // so that a number that is typed replaces it
+}
+
+/// Tab goes to its other field, and not to another entry of the menu.
+class StepsForm final : public QWidget {
+protected:
+    bool focusNextPrevChild(bool) override {
+        for (QDoubleSpinBox* box : findChildren<QDoubleSpinBox*>())
+            if (!box->hasFocus()) return startTyping(*box), true;
+        return false;
+    }
+};
+
 constexpr const char* kOverlays[] = {
     "view.overlayGrid",     "view.overlayShadows",  "view.overlayNames",     "view.overlayTrails",   "view.overlayJoints",
     "view.overlayMass",     "view.overlayInertia",  "view.overlaySupport",  "view.overlayFrusta",   "view.overlayBeams",     "view.overlayLobes",    "view.overlayLinks",
@@ -163,7 +178,7 @@ QMenu* ViewBar::makeAxesMenu() {
 
 QMenu* ViewBar::makeStepsMenu() {
     auto* menu = new QMenu(this);
-    auto* form = new QWidget;
+    auto* form = new StepsForm;
     auto* lines = new QFormLayout(form);
     auto *move = stepBox(QStringLiteral("moveStep"), m_settings.moveStep(), tr(" m"), 3),
          *turn = stepBox(QStringLiteral("turnStep"), m_settings.rotationStep(), QStringLiteral("°"), 1);
@@ -215,6 +230,7 @@ void ViewBar::openSteps() {
     const QWidget* button = widgetForAction(m_steps);
     m_steps->menu()->popup(button->isVisible() ? button->mapToGlobal(QPoint(0, button->height()))
                                                : mapToGlobal(QPoint(0, height())));
+    startTyping(*m_steps->menu()->findChild<QDoubleSpinBox*>(QStringLiteral("moveStep")));
 }
 
 } // namespace trundle

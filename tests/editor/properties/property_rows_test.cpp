@@ -270,6 +270,20 @@ private Q_SLOTS:
         QVERIFY2(fixture.text().find("right.lamp, hull, right") != std::string::npos, fixture.text().c_str());
     }
 
+    /// Numbers side by side would push the marks of all rows out of a narrow panel.
+    void aNarrowPanelShowsTheMarks() {
+        PropertiesFixture fixture;
+        QVERIFY(fixture.open("Material paint { ColorRGB = 0.1, 0.2, 0.3 }\n"));
+        fixture.selection.select("Material.paint");
+        const auto* mark = fixture.row("ColorRGB")->findChild<QWidget*>(QStringLiteral("mark"));
+        for (const int width : {340, 240}) {
+            fixture.panel.resize(width, 900);
+            EVENTUALLY(mark->mapTo(&fixture.panel, QPoint(mark->width(), 0)).x() <= width);
+        }
+        const QWidget *red = fixture.field("ColorRGB", "field0"), *green = fixture.field("ColorRGB", "field1");
+        EVENTUALLY(green->y() > red->y());
+    }
+
     /// Of two materials one has a colour of its own: neither text changes.
     void cancellingAColourLeavesNothing() {
         PropertiesFixture fixture;

@@ -320,6 +320,7 @@ private Q_SLOTS:
         const WindowHand hand(*m_window);
         newFile(hand);
         QVERIFY(hand.choose({QStringLiteral("Insert"), QStringLiteral("Room")}));
+        QVERIFY(m_window->findChild<QWidget*>(QStringLiteral("roomLength"))->findChild<QLineEdit*>()->hasSelectedText());
         setAmount("roomLength", QStringLiteral("5"));
         setAmount("roomWidth", QStringLiteral("400 cm"));
         auto* side = m_window->findChild<QComboBox*>(QStringLiteral("roomDoor"));

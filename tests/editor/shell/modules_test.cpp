@@ -119,6 +119,25 @@ private Q_SLOTS:
         m_window->session().reset();
     }
 
+    /// It commands the drive that its robot has; the dialog says what it replaces.
+    void aControllerOfASteeredRobot() {
+        write("main.sim",
+              "#import robots/car.sim\n#import arenas/open_floor.sim\nTick = 0.01\nStatic floor { Config=OpenFloor }\n"
+              "Robot rover { Config=Car }\n");
+        openWindow();
+        m_window->selection().select("rover");
+        makeNew("Wander", true);
+        m_window->session().run();
+        EVENTUALLY(value("rover/drive/linearVelocity") > 0.1);
+        m_window->session().reset();
+        m_window->selection().select("rover");
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // the dialog
+        m_window->actions().at("controllers.new").trigger();
+        QCOMPARE(m_window->findChild<QCheckBox*>(QStringLiteral("moduleUse"))->text(),
+                 QStringLiteral("&Use it for rover, in place of Wander"));
+        m_window->findChild<QDialog*>(QStringLiteral("newModule"))->reject();
+    }
+
     /// The next day: Files in the corner of the texts has the source.
     void aSourceIsFoundAgain() {
         m_window->selection().select("rover");
@@ -267,6 +286,26 @@ private Q_SLOTS:
         QVERIFY(asked == 2 && QFile::exists(path("evil/ran")));
         build();
         QCOMPARE(asked, 2);
+    }
+
+    /// Its problem has a fix that asks, as the button in the Controllers panel does.
+    void theProblemOfAnUntrustedModuleAsksForTrust() {
+        write("evil/loop.py",
+              "import trundle\n\n\nclass Loop(trundle.Controller):\n    \"\"\"Loops.\"\"\"\n\n    def setup(self, robot):\n"
+              "        pass\n\n    def update(self, since_last):\n        pass\n");
+        write("main.sim", kMain + "#loadModule evil/loop.py\n");
+        openWindow();
+        QString asked;
+        m_window->findChild<ControllersPanel*>()->commands().setAsk([&](const QString&, const QString& folder) {
+            asked = folder;
+            return true;
+        });
+        QCOMPARE(problems().index(0, ProblemsModel::CodeColumn).data().toString(), QStringLiteral("E402"));
+        m_window->findChild<QTreeView*>(QStringLiteral("problems"))->setCurrentIndex(problems().index(0, 0));
+        m_window->findChild<ProblemsPanel*>()->fixCurrent();
+        QCOMPARE(asked, path("evil"));
+        QVERIFY(m_window->document().loaded()->registry->find("Loop"));
+        QCOMPARE(problems().rowCount(), 0);
     }
 
     void cancels() {

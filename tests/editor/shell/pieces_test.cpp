@@ -14,6 +14,7 @@
 #include "editor/shell/layouts.h"
 #include "editor/shell/recent_files.h"
 #include "editor/widgets/apply_theme.h"
+#include "eventually.h"
 
 using namespace trundle;
 
@@ -72,6 +73,29 @@ private Q_SLOTS:
         QVERIFY(!o.dock("scene").isHidden());
         QCOMPARE(o.area("problems"), Qt::RightDockWidgetArea);
         QCOMPARE(o.area("scene"), Qt::LeftDockWidgetArea);
+    }
+
+    /// A small window narrows them; a large one gives them their widths back, also in the next start.
+    void docksGetTheirWidthsBack() {
+        const auto widths = [](DocksFixture& o) { return std::pair(o.dock("scene").width(), o.dock("properties").width()); };
+        std::pair<int, int> chosen;
+        {
+            DocksFixture o;
+            o.layouts.setShown(true);
+            EVENTUALLY(o.dock("properties").width() >= 300);
+            chosen = widths(o);
+            o.window.centralWidget()->setMinimumWidth(400);
+            o.window.resize(700, 700);
+            EVENTUALLY(widths(o).second < chosen.second);
+            o.window.resize(1400, 900);
+            EVENTUALLY_EQUAL(widths(o), chosen);
+            o.window.resize(700, 700);
+            EVENTUALLY(widths(o).second < chosen.second);
+            o.layouts.save();
+        }
+        DocksFixture o;
+        o.layouts.setShown(true);
+        EVENTUALLY_EQUAL(widths(o), chosen);
     }
 
     void eachLayoutHasItsOwnDocks() {

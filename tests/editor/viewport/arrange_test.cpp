@@ -5,6 +5,7 @@
 
 #include <QCheckBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QSpinBox>
 
 #include "editor/viewport/tools/arrange.h"
@@ -203,6 +204,8 @@ private Q_SLOTS:
         m_window->selection.select("robot0");
         QVERIFY(gridIsTurned(viewContext()));
         ArrayDialog dialog({0.5, 0.5, 0.3}, 1, {}, true);
+        QCOMPARE(dialog.findChild<QSpinBox*>(QStringLiteral("countX"))->findChild<QLineEdit*>()->selectedText(),
+                 QStringLiteral("3"));
         const auto* summary = dialog.findChild<QLabel*>(QStringLiteral("summary"));
         QCOMPARE(summary->text(), QStringLiteral("3 in all, with the original"));
         dialog.findChild<QCheckBox*>(QStringLiteral("asGrid"))->setChecked(true);

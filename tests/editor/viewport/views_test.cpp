@@ -79,6 +79,43 @@ private Q_SLOTS:
         }
     }
 
+    /// A View by its name, as it is in the text; what was made of it with its field of view.
+    void statesOfNamedViewsAreRestored() {
+        CameraControl& camera = m_window->view().camera();
+        camera.showNamed("first");
+        std::vector<ViewState> states = views().viewStates();
+        m_window->trigger("view.top");
+        views().setViewStates(states, 1);
+        QCOMPARE(camera.named(), std::string("first"));
+        QVERIFY(std::abs(camera.view().fieldOfView - 40 * M_PI / 180) < 1e-9);
+        camera.change([](ViewCamera& free) { free.zoom(0.5, free.middle()); });
+        states = views().viewStates();
+        m_window->trigger("view.top");
+        views().setViewStates(states, 1);
+        QCOMPARE(camera.named(), std::string());
+        QVERIFY(std::abs(camera.view().fieldOfView - 40 * M_PI / 180) < 1e-9);
+    }
+
+    /// An open brace above it hides a View from the model; it stays chosen, and where it is, until the text is whole.
+    void aViewStaysChosenWhileATextIsBroken() {
+        const auto put = [this](const QByteArray& text) {
+            return m_window->document.edits()
+                .replaceText(QStringLiteral("Type"), m_window->document.texts().files().front(), text.toStdString())
+                .ok();
+        };
+        const CameraControl& camera = m_window->view().camera();
+        QVERIFY(views().showView(QStringLiteral("second")));
+        QVERIFY(put(QByteArray(kYard).replace("View first", "Light sun {\nView first")));
+        QVERIFY(m_window->document.loaded()->diagnostics.hasErrors());
+        QCOMPARE(camera.named(), std::string("second"));
+        QVERIFY((camera.view().eye - Vec3(-2, 0, 1)).norm() < 1e-9);
+        QVERIFY(put(QByteArray(kYard).replace("Eye=-2,0,1", "Eye=-3,0,1")));
+        QCOMPARE(camera.named(), std::string("second"));
+        QVERIFY((camera.view().eye - Vec3(-3, 0, 1)).norm() < 1e-9);
+        QVERIFY(put(QByteArray(kYard).replace("View second", "View third")));
+        QCOMPARE(camera.named(), std::string());
+    }
+
     void countsOfViews_data() {
         QTest::addColumn<int>("count");
         QTest::addColumn<QList<int>>("shown");
@@ -196,6 +233,23 @@ private Q_SLOTS:
         QVERIFY(settings.moveStep() == 0.01 && settings.rotationStep() == 30);
     }
 
+    /// The steps are typed as their menu opens, one after the other.
+    void stepsFromTheKeyboard() {
+        m_window->trigger("tool.snapSteps");
+        auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        QVERIFY(menu);
+        auto *move = menu->findChild<QDoubleSpinBox*>(QStringLiteral("moveStep")),
+             *turn = menu->findChild<QDoubleSpinBox*>(QStringLiteral("turnStep"));
+        QCOMPARE(menu->focusWidget(), move);
+        QTest::keyClicks(move, QStringLiteral("0.3"));
+        QTest::keyClick(move, Qt::Key_Tab);
+        QCOMPARE(menu->focusWidget(), turn);
+        QTest::keyClicks(turn, QStringLiteral("20"));
+        menu->close();
+        QCOMPARE(m_window->panel->settings().moveStep(), 0.3);
+        QCOMPARE(m_window->panel->settings().rotationStep(), 20.0);
+    }
+
     /// A tool that Esc leaves gets the keys, wherever it was chosen; the others leave the arrow keys to the tree.
     void aStartedToolHasTheKeyboard() {
         auto* other = new QLineEdit(m_window->panel.get());
@@ -241,6 +295,17 @@ private Q_SLOTS:
         m_window->selection.select("cart");
         m_window->selection.select("cart.base");
         QCOMPARE(shownText(), QStringLiteral("During a run only whole robots can be moved; reset to edit the start."));
+    }
+
+    /// However the one before was looked at, another document without a View is shown whole.
+    void anotherDocumentIsShownWhole() {
+        m_window->trigger("view.side");
+        m_window->view().camera().change([](ViewCamera& camera) { camera.zoom(0.1, camera.middle()); });
+        QVERIFY(m_window->open("RobotConfig Bare { Body base { Box hull { Size=0.4,0.4,0.2 Mass=2 } } }\n"
+                               "Grid herd { Config=Bare Count=9 Spacing=2 Pos=40,0,0 }\n"));
+        QCOMPARE(m_window->view().camera().free().kind(), ViewKind::Perspective);
+        for (int i = 0; i < 8; ++i)
+            QVERIFY(m_window->view().rect().contains(m_window->at(m_window->panel->world().bounds().corner(i))));
     }
 
     /// The view of a robot that another document does not have is a free one.
