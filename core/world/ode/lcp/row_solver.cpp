@@ -20,6 +20,7 @@ constexpr double kSameLoad = 1e-6;
 } // namespace
 
 bool RowSolver::solve(const IslandRows& island, double* pairs) {
+    m_isExact = true;
     sort(island);
     const bool full = island.rows <= kFewRows;
     if (full && solveFew(island, pairs)) return true;
@@ -245,6 +246,8 @@ bool RowSolver::followLoads(const IslandRows& island) {
         if (round >= kFastRounds || !slide(island)) sweep(island);
         if (!solveBox(bounded)) return false;
     }
+    boundFriction(island);
+    m_isExact = isConsistent();
     return true;
 }
 

@@ -26,6 +26,8 @@ class RowSolver {
 public:
     /// `pairs`: the right sides, each followed by where its solution goes. False where it cannot be found this way: nothing is written.
     [[nodiscard]] bool solve(const IslandRows& island, double* pairs);
+    /// Of the last solution. Where sides change for ever, friction is what the loads just before allowed.
+    [[nodiscard]] bool isExact() const { return m_isExact; }
 
 private:
     void sort(const IslandRows& island);
@@ -66,6 +68,7 @@ private:
     BoxSolver m_box;
     std::vector<unsigned> m_inside, m_columns;
     std::vector<double> m_dense;
+    bool m_isExact = true;
 };
 
 } // namespace trundle

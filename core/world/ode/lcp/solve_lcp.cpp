@@ -41,7 +41,10 @@ void dxSolveLCP(dxWorldProcessMemArena* arena, unsigned n, double* a, double* pa
         t_gaveUp |= !sweeps.solve({n, a, trundle::TileMatrix::padded(n), pairslh, findex}, pairsbx);
         return;
     }
-    if (!w && solver.solve({n, a, n > 1 ? trundle::TileMatrix::padded(n) : 1, pairslh, findex}, pairsbx)) return;
+    if (!w && solver.solve({n, a, n > 1 ? trundle::TileMatrix::padded(n) : 1, pairslh, findex}, pairsbx)) {
+        t_gaveUp |= t_onlyQuick && !solver.isExact();
+        return;
+    }
     if (t_onlyQuick && n > kRowsOfOde) {
         t_gaveUp = true;
         return;
