@@ -54,7 +54,7 @@ void addTrouble(Scene& scene, const QString& kind) {
         scene.robot("jam" + std::to_string(i),
                     at(30 + 0.4 * (i % 4), 0.4 * (i / 4), 0, Vec3(std::atan2(0.6 - 0.4 * (i / 4), 0.6 - 0.4 * (i % 4)), 0, 0)),
                     r0());
-    const bool pile = kind == "pile" || kind == "pile with a robot"; // the latter is iterated in short steps
+    const bool pile = kind == "pile" || kind == "pile with a robot";
     for (int i = 0; pile && i < 40; ++i)
         scene.loose("pile" + std::to_string(i),
                     at(30 + 0.11 * (i % 4), 0.11 * (i / 4 % 2), 0.06 + 0.11 * (i / 8), degrees(7.0 * i, 0, 0)),

@@ -91,6 +91,7 @@ private Q_SLOTS:
         QTest::newRow("pyramid of small bricks, 10 ms") << pyramid(6, small) << 0.01;
         QTest::newRow("pyramid of small bricks, 20 ms") << pyramid(6, small) << 0.02;
         QTest::newRow("pyramid of bricks, 30 ms") << pyramid(6, {0.2, 0.1, 0.1}) << 0.03;
+        QTest::newRow("wall of small bricks, 20 ms") << wall(6, 8, small) << 0.02;
         QTest::newRow("larger than what is tried exactly") << pyramid(8, small) << 0.01;
     }
     /// They hang together in too many ways for the exact solver. Iterated in short steps the small ones shook themselves down.
@@ -103,6 +104,38 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < bricks.size(); ++i) {
             const double moved = (position(*world, "b" + std::to_string(i) + "/body") - bricks[i].centre).norm();
             QVERIFY2(moved < 0.03 * bricks[i].size.z(), qPrintable(QString("brick %1: %2 m").arg(i).arg(moved)));
+        }
+    }
+
+    void robotCarriesThem_data() {
+        QTest::addColumn<double>("h");
+        for (const double h : {0.005, 0.01, 0.02, 0.03}) QTest::addRow("%g ms", 1e3 * h) << h;
+    }
+    /// A pyramid on a robot that drives off: with its wheels and the floor one cluster of more than a hundred contacts.
+    void robotCarriesThem() {
+        QFETCH(double, h);
+        Scene scene = r0Scene(h);
+        scene.scenery({plane("floor", {}, 0)});
+        scene.robot("robot", {}, r0());
+        const Vec3 size(0.05, 0.06, 0.03);
+        std::vector<Brick> bricks = pyramid(5, size);
+        for (Brick& brick : bricks) {
+            brick.centre += Vec3(-0.17, 0, 0.14);
+            brick.centre.x() = -0.03 + (brick.centre.x() + 0.03) * 0.055 / 0.07;
+            scene.loose("b" + std::to_string(&brick - bricks.data()), {brick.centre, Quat::Identity()}, massOfBox(0.06, size),
+                        {box("b", size, {}, 0)});
+        }
+        auto world = scene.build();
+        for (int i = 0; i * h < 2; ++i) {
+            const double rate = 3 * std::min(1.0, i * h);
+            for (const char* motor : {"robot/leftMotor", "robot/rightMotor"}) command(*world, motor, rate, 0, 5);
+            QVERIFY(world->tick());
+        }
+        const Vec3 way = position(*world, "robot/chassis");
+        QVERIFY(way.x() > 0.1);
+        for (std::size_t i = 0; i < bricks.size(); ++i) {
+            const double moved = (position(*world, "b" + std::to_string(i) + "/body") - bricks[i].centre - way).norm();
+            QVERIFY2(moved < 0.001, qPrintable(QString("brick %1: %2 m").arg(i).arg(moved)));
         }
     }
 

@@ -22,8 +22,37 @@ constexpr double kSameLoad = 1e-6;
 bool RowSolver::solve(const IslandRows& island, double* pairs) {
     m_isExact = true;
     sort(island);
+    if (island.rows <= kFewRows && solveFew(island, pairs)) return true;
+    if (!reduce(island, pairs) || !solveBounded(island)) return false;
+    m_matrix.solveBack(0, m_begin, m_x.data());
+    return write(island, pairs);
+}
+
+bool RowSolver::solve(const IslandRows& island, double* pairs, RowSweeps& sweeps, const SweepLimits& limits) {
+    sort(island);
+    if (m_free.empty()) return sweeps.solve(island, pairs, limits);
+    std::ranges::sort(m_bounded); // friction behind what bounds it
+    if (!reduce(island, pairs)) return false;
+    const auto bounded = static_cast<unsigned>(m_bounded.size());
+    m_bounds.resize(2 * std::size_t(bounded));
+    m_pairs.resize(2 * std::size_t(bounded));
+    m_normals.resize(bounded);
+    for (unsigned i = 0; i < bounded; ++i) {
+        const unsigned row = m_bounded[i];
+        std::copy_n(island.bounds + 2 * row, 2, m_bounds.begin() + 2 * i);
+        m_pairs[2 * i] = m_right[i];
+        const int normal = island.normals ? island.normals[row] : -1;
+        m_normals[i] = normal < 0 ? -1 : static_cast<int>(m_places[static_cast<unsigned>(normal)] - m_begin);
+    }
+    if (!sweeps.solve({bounded, m_rest.data(), bounded, m_bounds.data(), m_normals.data()}, m_pairs.data(), limits)) return false;
+    for (unsigned i = 0; i < bounded; ++i) m_x[m_begin + i] = m_pairs[2 * i + 1];
+    m_matrix.solveBack(0, m_begin, m_x.data());
+    return write(island, pairs);
+}
+
+/// Eliminates the free rows.
+bool RowSolver::reduce(const IslandRows& island, const double* pairs) {
     const bool full = island.rows <= kFewRows;
-    if (full && solveFew(island, pairs)) return true;
     place(TileMatrix::padded(static_cast<unsigned>(m_free.size())));
     if (!full) {
         findPattern(island);
@@ -34,9 +63,7 @@ bool RowSolver::solve(const IslandRows& island, double* pairs) {
     const auto bounded = static_cast<unsigned>(m_bounded.size());
     m_x.assign(TileMatrix::padded(m_begin + bounded + 1), 0);
     m_x[m_begin + bounded] = -1; // the right side, as a row
-    if (!solveBounded(island)) return false;
-    m_matrix.solveBack(0, m_begin, m_x.data());
-    return write(island, pairs);
+    return true;
 }
 
 bool RowSolver::write(const IslandRows& island, double* pairs) const {

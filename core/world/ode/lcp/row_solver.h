@@ -9,28 +9,23 @@
 
 #include "world/ode/lcp/box_solver.h"
 #include "world/ode/lcp/elimination_order.h"
+#include "world/ode/lcp/row_sweeps.h"
 #include "world/ode/lcp/side_search.h"
 
 namespace trundle {
-
-/// As ODE hands it over. A row with `normals` >= 0 is friction: its bounds are its `high` times what that row has, in the same solution.
-struct IslandRows {
-    unsigned rows;
-    const double* matrix; ///< lower triangle, row after row
-    unsigned stride;
-    const double* bounds; ///< pairs of low and high
-    const int* normals;   ///< may be null
-};
 
 class RowSolver {
 public:
     /// `pairs`: the right sides, each followed by where its solution goes. False where it cannot be found this way: nothing is written.
     [[nodiscard]] bool solve(const IslandRows& island, double* pairs);
+    /// The same by sweeps over the bounded rows; false where they find none.
+    [[nodiscard]] bool solve(const IslandRows& island, double* pairs, RowSweeps& sweeps, const SweepLimits& limits);
     /// Of the last solution. Where sides change for ever, friction is what the loads just before allowed.
     [[nodiscard]] bool isExact() const { return m_isExact; }
 
 private:
     void sort(const IslandRows& island);
+    [[nodiscard]] bool reduce(const IslandRows& island, const double* pairs);
     void bound(const IslandRows& island);
     [[nodiscard]] bool solveFew(const IslandRows& island, double* pairs);
     [[nodiscard]] bool searchSides(const IslandRows& island);
@@ -68,6 +63,8 @@ private:
     BoxSolver m_box;
     std::vector<unsigned> m_inside, m_columns;
     std::vector<double> m_dense;
+    std::vector<double> m_bounds, m_pairs; ///< of the bounded rows, for sweeps
+    std::vector<int> m_normals;
     bool m_isExact = true;
 };
 

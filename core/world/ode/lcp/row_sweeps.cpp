@@ -8,8 +8,6 @@ namespace trundle {
 
 namespace {
 
-constexpr int kMostPasses = 120;
-constexpr double kOff = 5e-3;            // m/s^2
 constexpr double kUseless = 5;           // m/s^2
 constexpr double kAstray = 10;           // times as far off as once before
 constexpr unsigned kMostRowsOfGroup = 6; // a contact with rolling friction
@@ -35,14 +33,14 @@ void keepInCone(double* x, const double* bounds) {
 
 } // namespace
 
-bool RowSweeps::solve(const IslandRows& island, double* pairs) {
+bool RowSweeps::solve(const IslandRows& island, double* pairs, const SweepLimits& limits) {
     group(island);
     gather(island);
     m_x.assign(island.rows, 0);
     m_way.assign(island.rows, 0);
     m_lastStep = 0;
     double best = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < kMostPasses && best >= kOff; ++k) {
+    for (int k = 0; k < limits.passes && best >= limits.off; ++k) {
         m_before = m_x;
         const double off = pass(island, pairs);
         if (off < best) {

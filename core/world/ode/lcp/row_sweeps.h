@@ -1,20 +1,25 @@
 #pragma once
 // For piles whose loads can be shared in so many ways that the exact solver finds no end: the same rows, one after the other, each within
-// what its load allows just then, until all are met but for kOff. How a load is shared between contacts is left as it falls. Method:
+// what its load allows just then, until all are nearly met. How a load is shared between contacts is left as it falls. Method:
 // projected Gauss-Seidel, forth and back, with the way from one pass to the next as the direction of a conjugate gradient
 // (Silcowitz-Hansen, Niebe, Erleben 2010, "A nonsmooth nonlinear conjugate gradient method for interactive contact force problems").
 
 #include <vector>
 
-#include "world/ode/lcp/row_solver.h"
+#include "world/ode/lcp/island_rows.h"
 
 namespace trundle {
 
+/// When a solution is good enough, and when it is given up.
+struct SweepLimits {
+    int passes;
+    double off; ///< m/s^2 by which a row may miss
+};
+
 class RowSweeps {
 public:
-    /// `pairs` as of RowSolver. Where rows are not met after kMostPasses, the solution that was nearest; false if that is
-    /// far from any.
-    [[nodiscard]] bool solve(const IslandRows& island, double* pairs);
+    /// `pairs` as of RowSolver. Where rows are not met after all passes, the solution that was nearest; false if that is far from any.
+    [[nodiscard]] bool solve(const IslandRows& island, double* pairs, const SweepLimits& limits);
 
 private:
     /// A contact: what bounds its friction comes first.

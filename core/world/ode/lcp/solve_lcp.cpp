@@ -5,6 +5,7 @@
 #include "world/ode/lcp/solve_lcp.h"
 #include "world/ode/lcp/work.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include <ode/version.h>
@@ -25,8 +26,13 @@ namespace {
 
 using SolveLcp = decltype(dxSolveLCP);
 thread_local trundle::SolvedIslands t_solved;
+constexpr double kPassesPerSecond = 12e3;
+constexpr int kLeastPasses = 120, kMostPasses = 360;
+constexpr double kMostOff = 5e-3;    // m/s^2
+constexpr double kLost = 5e-7;       // m by which a contact may part in a tick: what lies on it lightly is as deep
 constexpr unsigned kRowsOfOde = 260; // so many it solves in some ten milliseconds
 thread_local bool t_onlyQuick = false, t_gaveUp = false, t_swept = false;
+thread_local trundle::SweepLimits t_limits{};
 
 } // namespace
 
@@ -38,7 +44,7 @@ void dxSolveLCP(dxWorldProcessMemArena* arena, unsigned n, double* a, double* pa
     ++t_solved.count;
     thread_local trundle::RowSweeps sweeps;
     if (!w && t_swept && n > 1) {
-        t_gaveUp |= !sweeps.solve({n, a, trundle::TileMatrix::padded(n), pairslh, findex}, pairsbx);
+        t_gaveUp |= !solver.solve({n, a, trundle::TileMatrix::padded(n), pairslh, findex}, pairsbx, sweeps, t_limits);
         return;
     }
     if (!w && solver.solve({n, a, n > 1 ? trundle::TileMatrix::padded(n) : 1, pairslh, findex}, pairsbx)) {
@@ -56,7 +62,11 @@ void dxSolveLCP(dxWorldProcessMemArena* arena, unsigned n, double* a, double* pa
 
 namespace trundle {
 
-SweptIslands::SweptIslands() { t_swept = true, t_gaveUp = false; }
+SweptIslands::SweptIslands(double h) {
+    t_swept = true, t_gaveUp = false;
+    t_limits = {std::clamp(static_cast<int>(kPassesPerSecond * h), kLeastPasses, kMostPasses),
+                std::min(kMostOff, kLost / (h * h))};
+}
 SweptIslands::~SweptIslands() { t_swept = false; }
 bool SweptIslands::gaveUp() const { return t_gaveUp; }
 

@@ -30,7 +30,7 @@ private:
 /// As long as it lives, the islands of this thread are solved by RowSweeps.
 class SweptIslands {
 public:
-    SweptIslands();
+    explicit SweptIslands(double h); ///< h: tick, s
     ~SweptIslands();
     SweptIslands(const SweptIslands&) = delete;
     SweptIslands& operator=(const SweptIslands&) = delete;

@@ -131,7 +131,7 @@ bool ClusterSolver::solvePile(double h, SolverPlan& plan, std::uint32_t name) {
         putBack();
         enableOnly(clusters, std::span(&name, 1));
     }
-    const SweptIslands swept;
+    const SweptIslands swept(h);
     m_swept = true;
     if (tryExactly(h) && !swept.gaveUp()) return true;
     putBack();

@@ -84,8 +84,7 @@ bool SolverPlan::cut(const Vec3& up, std::span<OdeContact> contacts, std::span<c
 void SolverPlan::iterateLarge(std::span<OdeContact> contacts, std::span<const OdeGeom> geoms) {
     for (OdeContact& c : contacts) {
         const std::uint32_t cluster = m_clusters.of(geoms[c.first].body), count = m_clusters.contacts(cluster);
-        const bool large = !c.outside && count > kExactClusterMax,
-                   pile = large && count <= kSweptClusterMax && m_clusters.robots(cluster) == 0;
+        const bool large = !c.outside && count > kExactClusterMax, pile = large && count <= kSweptClusterMax;
         c.iterated = large && !pile;
         if (large) (pile ? m_piles : m_iterated).push_back(cluster);
     }

@@ -2,8 +2,8 @@
 // Which solver takes what, tick by tick: each cluster by itself, so that a body without contacts is solved the same whatever happens
 // elsewhere. A robot with what it touches is exact. Robots that touch each other, and what stands on the floor beside them, push each
 // other through HeapForces, but for arms among up to three robots; what then still hangs together is exact if it is small. A larger pile
-// of loose bodies is tried exactly, as many that rest can be; what cannot, and larger ones, are left to RowSweeps. What is larger still,
-// or a robot is in, is iterated in short steps.
+// is tried exactly, as many that rest can be; what cannot, and larger ones, are left to RowSweeps. What is larger still is iterated in
+// short steps.
 
 #include <span>
 #include <vector>
