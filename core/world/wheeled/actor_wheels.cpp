@@ -1,4 +1,4 @@
-// Which bodies are wheels and casters, and why one that looks like a wheel is none.
+// Which bodies are wheels and casters, and why one that looks like a wheel does not count as one.
 
 #include <cmath>
 #include <cstdio>

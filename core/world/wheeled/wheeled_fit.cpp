@@ -33,7 +33,7 @@ public:
     [[nodiscard]] const std::optional<LevelGround>& ground() const { return m_ground; }
 
     /// That below most robots, of equal ones the highest: whatever their names and order. What is fixed to the world counts last. Where
-    /// there is none, that which they are deep in.
+    /// no robot is above level ground, that which they are deep in.
     void findGround() {
         std::vector<std::pair<const StaticSpec*, const GeomSpec*>> all;
         eachStatic([&](const StaticSpec& s, const GeomSpec& g) {
