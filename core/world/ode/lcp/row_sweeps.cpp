@@ -9,7 +9,7 @@ namespace trundle {
 namespace {
 
 constexpr double kUseless = 5;           // m/s^2
-constexpr double kAstray = 10;           // times as far off as once before
+constexpr double kDivergence = 10;       // times the best residual so far
 constexpr unsigned kMostRowsOfGroup = 6; // a contact with rolling friction
 
 double at(const IslandRows& island, unsigned row, unsigned column) {
@@ -37,27 +37,27 @@ bool RowSweeps::solve(const IslandRows& island, double* pairs, const SweepLimits
     group(island);
     gather(island);
     m_x.assign(island.rows, 0);
-    m_way.assign(island.rows, 0);
+    m_direction.assign(island.rows, 0);
     m_lastStep = 0;
     double best = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < limits.passes && best >= limits.off; ++k) {
+    for (int k = 0; k < limits.passes && best >= limits.tolerance; ++k) {
         m_before = m_x;
-        const double off = pass(island, pairs);
-        if (off < best) {
-            best = off;
+        const double residual = pass(island, pairs);
+        if (residual < best) {
+            best = residual;
             m_best = m_x;
         }
-        if (off < kAstray * best) {
+        if (residual < kDivergence * best) {
             accelerate();
             continue;
         }
         m_x = m_best; // jammed contacts, whose friction loads each other
-        m_way.assign(m_way.size(), 0);
+        m_direction.assign(m_direction.size(), 0);
         m_lastStep = 0;
     }
     m_x = m_best;
     for (unsigned i = 0; i < island.rows; ++i) pairs[2 * i + 1] = m_x[i];
-    return best < kUseless;
+    return best < kUseless && std::ranges::all_of(m_x, [](double x) { return std::isfinite(x); });
 }
 
 void RowSweeps::group(const IslandRows& island) {
@@ -105,7 +105,7 @@ void RowSweeps::addBlock(const IslandRows& island, const Group& rows, const Grou
         for (unsigned j = 0; j < columns.rows; ++j) m_values.push_back(at(island, rows.begin + i, columns.begin + j));
 }
 
-/// Returns by how much a row was off at most, m/s^2.
+/// Returns the largest residual of a row, m/s^2.
 double RowSweeps::pass(const IslandRows& island, const double* pairs) {
     const std::size_t count = m_groups.size() - 1;
     for (std::size_t i = 0; i < count; ++i) (void)relax(island, pairs, i);
@@ -131,8 +131,8 @@ double RowSweeps::relax(const IslandRows& island, const double* pairs, std::size
     double before[kMostRowsOfGroup], most = 0;
     for (unsigned i = 0; i < group.rows; ++i) {
         const unsigned row = group.begin + i;
-        double off = excess[i] - pairs[2 * row];
-        for (unsigned j = 0; j < group.rows; ++j) off += at(island, row, group.begin + j) * m_x[group.begin + j];
+        double residual = excess[i] - pairs[2 * row];
+        for (unsigned j = 0; j < group.rows; ++j) residual += at(island, row, group.begin + j) * m_x[group.begin + j];
         const bool friction = i > 0 || (island.normals && island.normals[row] >= 0);
         double low = island.bounds[2 * row], high = island.bounds[2 * row + 1];
         if (friction) {
@@ -140,7 +140,7 @@ double RowSweeps::relax(const IslandRows& island, const double* pairs, std::size
             low = -high;
         }
         before[i] = m_x[row];
-        m_x[row] = std::clamp(before[i] - off / at(island, row, row), low, high);
+        m_x[row] = std::clamp(before[i] - residual / at(island, row, row), low, high);
     }
     if (group.rows >= 3) keepInCone(m_x.data() + group.begin, island.bounds + 2 * group.begin);
     for (unsigned i = 0; i < group.rows; ++i) {
@@ -156,10 +156,10 @@ void RowSweeps::accelerate() {
     for (std::size_t i = 0; i < m_x.size(); ++i) step += (m_x[i] - m_before[i]) * (m_x[i] - m_before[i]);
     const double share = m_lastStep > 0 ? step / m_lastStep : 2;
     m_lastStep = step;
-    if (share > 1) return m_way.assign(m_way.size(), 0);
+    if (share > 1) return m_direction.assign(m_direction.size(), 0);
     for (std::size_t i = 0; i < m_x.size(); ++i) {
-        const double before = share * m_way[i];
-        m_way[i] = before + (m_x[i] - m_before[i]);
+        const double before = share * m_direction[i];
+        m_direction[i] = before + (m_x[i] - m_before[i]);
         m_x[i] += share * before;
     }
 }

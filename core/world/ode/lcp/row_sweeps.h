@@ -13,7 +13,7 @@ namespace trundle {
 /// When a solution is good enough, and when it is given up.
 struct SweepLimits {
     int passes;
-    double off; ///< m/s^2 by which a row may miss
+    double tolerance; ///< m/s^2: of the residual of each row
 };
 
 class RowSweeps {
@@ -39,7 +39,7 @@ private:
     std::vector<unsigned> m_blocks;               ///< what is not zero: the group of its columns
     std::vector<double> m_values;                 ///< of blocks one after the other, row by row
     std::vector<std::vector<unsigned>> m_touched; ///< by group: groups before it that have a block with it
-    std::vector<double> m_x, m_before, m_way, m_best;
+    std::vector<double> m_x, m_before, m_direction, m_best;
     double m_lastStep = 0; ///< squared
 };
 

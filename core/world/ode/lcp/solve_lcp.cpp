@@ -28,8 +28,8 @@ using SolveLcp = decltype(dxSolveLCP);
 thread_local trundle::SolvedIslands t_solved;
 constexpr double kPassesPerSecond = 12e3;
 constexpr int kLeastPasses = 120, kMostPasses = 360;
-constexpr double kMostOff = 5e-3;    // m/s^2
-constexpr double kLost = 5e-7;       // m by which a contact may part in a tick: what lies on it lightly is as deep
+constexpr double kTolerance = 5e-3;  // m/s^2
+constexpr double kParting = 5e-7;    // m by which a contact may part in a tick: what lies on it lightly is as deep
 constexpr unsigned kRowsOfOde = 260; // so many it solves in some ten milliseconds
 thread_local bool t_onlyQuick = false, t_gaveUp = false, t_swept = false;
 thread_local trundle::SweepLimits t_limits{};
@@ -65,7 +65,7 @@ namespace trundle {
 SweptIslands::SweptIslands(double h) {
     t_swept = true, t_gaveUp = false;
     t_limits = {std::clamp(static_cast<int>(kPassesPerSecond * h), kLeastPasses, kMostPasses),
-                std::min(kMostOff, kLost / (h * h))};
+                std::min(kTolerance, kParting / (h * h))};
 }
 SweptIslands::~SweptIslands() { t_swept = false; }
 bool SweptIslands::gaveUp() const { return t_gaveUp; }

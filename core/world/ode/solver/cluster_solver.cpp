@@ -184,6 +184,7 @@ void ClusterSolver::repeatBent(double h, SolverPlan& plan) {
         std::ranges::sort(m_bent);
         m_bent.erase(std::unique(m_bent.begin(), m_bent.end()), m_bent.end());
         std::erase_if(m_bent, [&](std::uint32_t name) { return std::ranges::find(m_quick, name) != m_quick.end(); });
+        std::erase_if(m_bent, [&](std::uint32_t name) { return std::ranges::binary_search(m_alone, name); }); // not yet solved
         if (again == kMaxRepeats) std::erase_if(m_bent, [&](std::uint32_t name) { return !isPlain(clusters, name); });
         if (m_bent.empty()) return;
         disableAll();
